@@ -78,7 +78,7 @@ STEPS = {
     "lies_one_way": ("unfold/search/net_search.cpp", "&& no_tree_is_better()", "&& !OUT && no_tree_is_better()"),
     "exact_walk": ("unfold/energy/anneal.cpp", "if (!net.has_tabs() || rules.exact_trials", "if (OUT || !net.has_tabs() || rules.exact_trials"),
     "even_tabs": ("unfold/tabs/place/place_tabs.cpp", "  even_tabs(surface, nets", "  if (!OUT) even_tabs(surface, nets"),
-    "fit_tabs": ("unfold/give_tabs.cpp", "if (options.sheet) {\n    fit_tabs", "if (!OUT && options.sheet) {\n    fit_tabs"),
+    "fit_tabs": ("unfold/tabs_of_nets.cpp", "if (options.sheet) {\n    fit_tabs", "if (!OUT && options.sheet) {\n    fit_tabs"),
     "improved_tabs": ("unfold/tabs/place/place_tabs.cpp", "auto chosen = assign_tabs(sites, preferred_sides(sites), options,", "auto chosen = assign_tabs(sites, OUT ? decltype(preferred_sides(sites))(preferred_sides(sites).size()) : preferred_sides(sites), options,"),
     "foot_tabs": ("unfold/unfold.cpp", "  add_foot_tabs(surface", "  if (!OUT) add_foot_tabs(surface"),
     # prepare/

@@ -21,9 +21,8 @@
 
 #include "job/job.hpp"
 #include "mesh/mesh.hpp"
-#include "unfold/folding/face_meeting.hpp"
 #include "unfold/folding/fold_motion.hpp"
-#include "unfold/folding/fold_trial.hpp"
+#include "unfold/folding/fold_order.hpp"
 
 using namespace ridgecraft;
 

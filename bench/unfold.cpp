@@ -34,7 +34,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepare.hpp"
 #include "segment/segment.hpp"
-#include "unfold/net/tolerance.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/fewest_pieces.hpp"
 #include "unfold/search/net_search.hpp"

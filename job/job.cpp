@@ -27,7 +27,7 @@
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/expected_pages.hpp"
 #include "prepare/prepared/narrow_faces.hpp"
-#include "unfold/replace_tabs.hpp"
+#include "unfold/tabs_of_nets.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::job {

@@ -25,7 +25,7 @@
 #include "prepare/prepared/ready_report.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/net/tab_choice.hpp"
+#include "unfold/net/options.hpp"
 #include "verify/verify.hpp"
 
 namespace ridgecraft::job {
@@ -98,7 +98,7 @@ struct Paper {
 [[nodiscard]] Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context);
 
 /// Other nets of the same surface, such as a person has made of these edge by edge
-/// (unfold/changed_folds.hpp), with joins, tabs as `choice` asks for them, kinds of equal pieces, and the
+/// (unfold/edits.hpp), with joins, tabs as `choice` asks for them, kinds of equal pieces, and the
 /// notes of the stages before. Throws Error(interrupted), and Error(unreadable_input) where the choice names
 /// an edge that isn't there.
 [[nodiscard]] unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoice& choice,

@@ -16,8 +16,6 @@
 #include "prepare/prepared/skin_report.hpp"
 #include "prepare/selection/selection.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/net/piece_rules.hpp"
-#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::job {
 

@@ -16,7 +16,7 @@
 #include "export/nearest_place.hpp"
 #include "job/page_layout.hpp"
 #include "job/unfold_options.hpp"
-#include "unfold/retried_pieces.hpp"
+#include "unfold/edits.hpp"
 #include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/tab_wishes.hpp"
 

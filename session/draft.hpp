@@ -17,10 +17,9 @@
 #include "job/job.hpp"
 #include "job/page_labels.hpp"
 #include "session/edit.hpp"
-#include "unfold/changed_folds.hpp"
+#include "unfold/edits.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::session {
 
@@ -66,8 +65,8 @@ class Draft {
   /// equal bytes.
   Draft(const job::Paper& made, const State& before, const Context& context);
 
-  /// Does all edits but for tabs and places, or says why not. Takes the time of unfold/changed_folds.hpp and
-  /// unfold/retried_pieces.hpp for each.
+  /// Does all edits but for tabs and places, or says why not. Takes the time of unfold/edits.hpp and
+  /// unfold/edits.hpp for each.
   [[nodiscard]] std::optional<Refusal> change(std::span<const Edit> edits);
 
   /// Whether the nets are those from before, tabs included, so that finish() only lays out.

@@ -16,7 +16,7 @@
 #include "base/vector.hpp"
 #include "export/sheet/pages.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/net/tab_choice.hpp"
+#include "unfold/net/options.hpp"
 
 namespace ridgecraft::session {
 

@@ -57,7 +57,7 @@ struct Repeated {
 /// Does all of the edits or none, as one step. Pieces that it doesn't
 /// change stay where they lie; the others stay, too, where there is room, or are placed around them. Throws
 /// Error(interrupted), and Error(internal) where the result fails its check. The context's deadline is
-/// ignored, here and below. Takes the time of unfold/changed_folds.hpp for each edit, and once that of tabs,
+/// ignored, here and below. Takes the time of unfold/edits.hpp for each edit, and once that of tabs,
 /// places and drawing; tabs are kept where only places change.
 [[nodiscard]] Answer apply(const Project& project, std::span<const Edit> edits, const Context& context);
 

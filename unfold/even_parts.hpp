@@ -5,7 +5,7 @@
 #include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "unfold/net/joins.hpp"
+#include "unfold/net/nets.hpp"
 #include "unfold/patch/layout.hpp"
 
 namespace ridgecraft::unfold {

@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "unfold/net/area_of_faces.hpp"
+#include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {

@@ -12,7 +12,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_wishes.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -16,7 +16,7 @@ namespace ridgecraft::unfold {
 /// further until every edge that is wide enough has a usable one. `part` gives each face its part (parts are
 /// connected over edges or are treated as several); neighbouring pieces are merged as `pieces` says; panels
 /// larger than the sheet are cut, others as `panel_cuts` says. The result has no overlap deeper than
-/// overlap_tolerance_mm (unfold/net/tolerance.hpp): an all-pairs check of its own confirms it before it is
+/// overlap_tolerance_mm (unfold/net/options.hpp): an all-pairs check of its own confirms it before it is
 /// returned. Deterministic for one seed as long as the deadline isn't reached. Throws Error(no_nets),
 /// Error(interrupted).
 [[nodiscard]] Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels,

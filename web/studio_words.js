@@ -89,7 +89,7 @@ Object.assign(texts, {
   stage_write: ["Writing", "Schreiben"],
 });
 
-/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/changed_folds). @type {[string, string][]} */
+/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/edits). @type {[string, string][]} */
 export const refusals = [
   ["the model has no such edge", "das Modell hat keine solche Kante"],
   ["the faces beside this edge belong on different pages", "die Flächen an dieser Kante gehören auf verschiedene Seiten"],

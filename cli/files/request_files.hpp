@@ -10,7 +10,7 @@
 #include "cli/files/targets.hpp"
 #include "job/options.hpp"
 #include "mesh/model/model.hpp"
-#include "unfold/net/tab_choice.hpp"
+#include "unfold/net/options.hpp"
 
 namespace ridgecraft::cli {
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/options.hpp"
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "cli/arguments/parse.hpp"
 #include "cli/program_checks.hpp"
-#include "unfold/net/piece_rules.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::cli;

@@ -12,11 +12,9 @@
 #include "support/shapes.hpp"
 #include "unfold/energy/net_energy.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/linked_patch.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/tree_search.hpp"
 
 using namespace ridgecraft;

@@ -10,7 +10,6 @@
 #include "base/random.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/folding/opening.hpp"
 
 namespace ridgecraft::test {
 

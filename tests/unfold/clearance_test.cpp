@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs/shape/clearance.hpp"
-
 #include <span>
 #include <utility>
 
@@ -8,9 +6,8 @@
 
 #include "base/random.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/tabs/shape/candidates.hpp"
+#include "unfold/tabs/shape/convex_shape.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
-#include "unfold/tabs/shape/trimming.hpp"
 
 using namespace ridgecraft;
 using unfold::ConvexShape;

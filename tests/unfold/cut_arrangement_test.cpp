@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the knife follows, each line once, where gaps are so narrow that their sides are one line.
-#include "unfold/net/cut_arrangement.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/elementary.hpp"
+#include "unfold/net/outline.hpp"
 
 using namespace ridgecraft;
 using unfold::CutLines;

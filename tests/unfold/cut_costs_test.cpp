@@ -10,13 +10,12 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/overlap_pairs.hpp"
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/tree_search.hpp"
-#include "unfold/tabs/place/targets.hpp"
+#include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 using namespace ridgecraft;
 using test::tolerance;

@@ -12,11 +12,10 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/even_parts.hpp"
-#include "unfold/net/tolerance.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 using namespace ridgecraft;

@@ -9,8 +9,7 @@
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/nets_of_folds.hpp"
-#include "unfold/patch/forest.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;

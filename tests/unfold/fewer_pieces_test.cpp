@@ -9,9 +9,8 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/patch/tree.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;

@@ -6,10 +6,8 @@
 
 #include "bench/spiky_bodies.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
-#include "unfold/pieces/overlap_split.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/patch_nets.hpp"
 #include "unfold/search/heated_search.hpp"

@@ -12,13 +12,10 @@
 
 #include "base/random.hpp"
 #include "support/shapes.hpp"
-#include "unfold/folding/face_meeting.hpp"
 #include "unfold/folding/fold_motion.hpp"
-#include "unfold/folding/free_folding.hpp"
-#include "unfold/folding/opening.hpp"
-#include "unfold/net/tolerance.hpp"
+#include "unfold/folding/fold_order.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/search/net_search.hpp"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tabs by which bodies are glued onto others: folded inwards, they stay within the foot.
-#include "unfold/foot_tabs.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,9 +13,9 @@
 #include "support/concave_shapes.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
-#include "unfold/replace_tabs.hpp"
-#include "unfold/tabs/place/feet.hpp"
+#include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/shape/convex_shape.hpp"
+#include "unfold/tabs_of_nets.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Trees of folds.
-#include "unfold/patch/forest.hpp"
-
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -9,6 +7,7 @@
 #include "base/error.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/patch/tree.hpp"
 
 using namespace ridgecraft;
 

@@ -12,7 +12,7 @@
 #include "mesh/mesh.hpp"
 #include "prepare/prepare.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

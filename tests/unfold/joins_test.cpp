@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every cut is a join with a number of its own, however seams fork and run into themselves.
-#include "unfold/net/joins.hpp"
-
 #include <algorithm>
 #include <vector>
 
@@ -9,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "support/shapes.hpp"
+#include "unfold/net/nets.hpp"
 
 using namespace ridgecraft;
 

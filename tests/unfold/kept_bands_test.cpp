@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Walls that go round stay strips, with one seam.
-#include "unfold/pieces/kept_bands.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "support/shapes.hpp"
 #include "unfold/energy/bands.hpp"
 #include "unfold/nets_checks.hpp"
+#include "unfold/pieces/kept_edges.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

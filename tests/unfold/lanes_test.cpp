@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vectors of the compiler and the portable lanes give the same bits.
-#include "unfold/search/lanes.hpp"
-
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -9,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "unfold/search/portable_lanes.hpp"
+#include "unfold/search/circle_tree.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;

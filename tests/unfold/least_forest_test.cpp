@@ -12,10 +12,9 @@
 #include "bench/spiky_bodies.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/search/net_search.hpp"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number of nets that is told as the least is no more than that.
-#include "unfold/search/least_trees.hpp"
-
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -10,7 +8,7 @@
 #include "bench/spiky_bodies.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/search/least_forest.hpp"
 
 using namespace ridgecraft;

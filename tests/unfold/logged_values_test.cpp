@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs/trees/logged_values.hpp"
-
 #include <cstdint>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
+#include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 using namespace ridgecraft;
 using unfold::LoggedValues;

@@ -10,9 +10,8 @@
 
 #include "bench/spiky_bodies.hpp"
 #include "support/shapes.hpp"
-#include "unfold/net/tolerance.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/unfold.hpp"

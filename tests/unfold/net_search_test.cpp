@@ -12,7 +12,6 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/search/tree_search.hpp"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/pieces/overlap_split.hpp"
-
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -10,10 +8,9 @@
 
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
+#include "unfold/pieces/fewest_pieces.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why pieces are there: what is told must be so.
-#include "unfold/pieces/piece_reasons.hpp"
-
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -11,6 +9,7 @@
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"
+#include "unfold/pieces/patch_nets.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;

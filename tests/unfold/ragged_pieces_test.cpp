@@ -14,10 +14,9 @@
 #include "unfold/energy/bands.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;

@@ -12,9 +12,8 @@
 #include "prepare/prepared/panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/overlap_pairs.hpp"
-#include "unfold/search/swap_overlaps.hpp"
 
 using namespace ridgecraft;
 using test::tolerance;

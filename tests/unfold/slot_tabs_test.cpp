@@ -15,9 +15,8 @@
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
 #include "unfold/net/outline.hpp"
-#include "unfold/replace_tabs.hpp"
-#include "unfold/tabs/shape/arrows.hpp"
 #include "unfold/tabs_checks.hpp"
+#include "unfold/tabs_of_nets.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pieces that are split until every edge that is wide enough has a tab.
+#include "unfold/pieces/tab_split.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -13,14 +15,12 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/start_tree.hpp"
-#include "unfold/pieces/tab_cuts.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/shape/trimming.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 #include "unfold/tree_nets.hpp"
 
 using namespace ridgecraft;

@@ -11,7 +11,7 @@
 
 #include "support/shapes.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/shape/clearance.hpp"
+#include "unfold/tabs/shape/convex_shape.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::test {

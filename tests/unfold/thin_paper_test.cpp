@@ -8,11 +8,10 @@
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/energy/piece_cost.hpp"
-#include "unfold/energy/piece_shape.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/necks.hpp"
-#include "unfold/pieces/needles.hpp"
-#include "unfold/tabs/place/paper_behind.hpp"
+#include "unfold/patch/tree.hpp"
+#include "unfold/pieces/kept_edges.hpp"
+#include "unfold/tabs/place/sites.hpp"
 
 using namespace ridgecraft;
 using unfold::EdgeUse;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/patch/triangle.hpp"
-
 #include <cstdint>
 
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
 #include "base/random.hpp"
-#include "unfold/patch/check.hpp"
-#include "unfold/search/edged_triangle.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/search/circle_tree.hpp"
 
 using namespace ridgecraft;
 using unfold::Triangle;

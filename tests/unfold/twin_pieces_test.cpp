@@ -12,7 +12,7 @@
 #include "nets_checks.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;

@@ -15,11 +15,11 @@
 #include "support/shapes.hpp"
 #include "unfold/energy/cut_costs.hpp"
 #include "unfold/energy/piece_cost.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
-#include "unfold/pieces/kept_bands.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/pieces/kept_edges.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 using namespace ridgecraft;

@@ -12,7 +12,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "verify/support.hpp"
 
 using namespace ridgecraft;

@@ -63,7 +63,7 @@ for (const {key, choices} of optionTable) {
 // Why an edit is refused, as the sources say it: each part between two gaps stands in a sentence that is translated.
 const english = refusals.map(([sentence]) => sentence.replace(/\{\w+\}/g, "{}"));
 const elsewhere = /^(the file was saved from|the saved project|the job|no step of edits)/;
-for (const name of ["session/draft.cpp", "unfold/changed_folds.cpp", "unfold/retried_pieces.cpp"]) {
+for (const name of ["session/draft.cpp", "unfold/edits.cpp", "unfold/edits.cpp"]) {
   const code = readFileSync(`${source}/${name}`, "utf8").split("\n").filter((line) => !/^\s*(\/\/|#include)/.test(line)).join("\n");
   for (const [, literal] of code.matchAll(/"((?:[^"\\\n]|\\.)*)"/g)) {
     const part = literal.replace(/\{[^}]*\}/g, "{}");

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "unfold/energy/bands.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/tabs/shape/candidates.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "unfold/energy/cut_costs.hpp"
-#include "unfold/energy/piece_shape.hpp"
-#include "unfold/patch/room.hpp"
-#include "unfold/search/random_swaps.hpp"
+#include "unfold/energy/piece_cost.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/search/rooted_net.hpp"
+#include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {
 

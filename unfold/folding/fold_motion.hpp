@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A piece of paper that is being folded: where its faces are in space when some creases are folded by some
-// share.
+// Whether two faces of a piece that is being folded are in each other.
 #pragma once
 
 #include <array>
@@ -10,11 +9,26 @@
 #include <vector>
 
 #include "base/geometry.hpp"
+#include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
+
+/// Of a triangle in space, mm.
+using Corners = std::array<Vec3, 3>;
+
+/// The triangle less a seam of fold_give_mm (net/tolerance.hpp) along its sides, in which it gives way; false
+/// where nothing is left. `rest` may be `t`.
+[[nodiscard]] bool without_seam(const Corners& t, Corners& rest);
+
+/// Whether two triangles have a point in common. Floating point decides: for triangles without their seams,
+/// which are a million times wider than its errors, it can't be wrong about faces that share a side.
+[[nodiscard]] bool meet(const Corners& f, const Corners& g);
+
+// A piece of paper that is being folded: where its faces are in space when some creases are folded by some
+// share.
 
 /// Folds of less don't move anything that one could see, radians.
 inline constexpr double flat_fold = 2e-6;

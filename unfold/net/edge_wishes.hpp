@@ -19,8 +19,8 @@ enum class EdgeWish : std::uint8_t {
   none,
   cut,     ///< never a fold
   keep,    ///< a fold
-  needle,  ///< a fold: beside it lies a face too narrow to be cut out (pieces/needles.hpp)
-  band,    ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_bands.hpp)
+  needle,  ///< a fold: beside it lies a face too narrow to be cut out (pieces/kept_edges.hpp)
+  band,    ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_edges.hpp)
 };
 using EdgeWishes = IdVector<EdgeId, EdgeWish>;  ///< per edge of a surface, or empty
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@
 #include "base/geometry.hpp"
 #include "base/id.hpp"
 #include "base/vector.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/edge_wishes.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -85,7 +88,7 @@ struct Join {
 };
 
 /// A tab, in the plane of the piece that it grows from: glued behind the face beyond its edge or, where it
-/// has a slit, laid on that face and put through the slit (unfold/tabs/shape/arrows.hpp).
+/// has a slit, laid on that face and put through the slit (unfold/tabs/place/slot_tabs.hpp).
 struct Tab {
   CornerId side;  ///< side of a face that it grows from; its target is twin(side)
   JoinId join;
@@ -94,7 +97,7 @@ struct Tab {
   std::vector<Vec2> polygon;
   /// Both ends of the cut that it is put through, in the plane of the target's piece.
   std::optional<std::array<Vec2, 2>> slit = {};
-  /// It grows from a foot, is folded inwards and lies on a face of another body (foot_tabs.hpp).
+  /// It grows from a foot, is folded inwards and lies on a face of another body (tabs_of_nets.hpp).
   bool of_foot = false;
 };
 
@@ -128,10 +131,43 @@ struct Nets {
 };
 
 /// Whether a tab is one beyond that of its join: a second one on the other side, one at an edge that is glued
-/// to nothing (tabs/place/more_tabs.hpp), or a further one for a slit on a long edge.
+/// to nothing (tabs/place/missing_tabs.hpp), or a further one for a slit on a long edge.
 [[nodiscard]] inline bool is_additional(const Nets& nets, TabId tab) {
   const JoinId join = nets.tabs[tab].join;
   return !join.valid() || nets.joins[join].tab != tab;
 }
+
+// How much paper some faces take.
+
+/// In the surface's unit squared. Linear.
+[[nodiscard]] inline double area_of(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+  double area = 0.0;
+  for (const FaceId f : faces) {
+    area += surface.area(f);
+  }
+  return area;
+}
+
+// How many wishes for edges didn't come true.
+
+/// How many edges that were to be kept are cut in these nets: Nets::broken_wishes. O(n).
+[[nodiscard]] inline std::size_t count_broken(const EdgeWishes& wishes, const Nets& nets) {
+  std::size_t broken = 0;
+  for (const EdgeId e : ids<EdgeId>(wishes.size())) {
+    broken += wishes[e] == EdgeWish::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
+  }
+  return broken;
+}
+
+// Names of pieces and numbers of joins, in an order that a person can follow.
+
+/// A, B, ... Z, AA, AB, ... for 0, 1, ...
+[[nodiscard]] std::string piece_name(std::size_t number);
+
+/// Makes a join of every cut edge. Numbers follow the seams on the model: parts in their order, in each part
+/// along the cuts from edge to neighbouring edge, staying between the same two pieces and going straight on
+/// where that is possible, so that neighbours on the model have neighbouring numbers. Needs use, piece and
+/// pieces of `nets`. O(n log n).
+void number_joins(const mesh::Surface& surface, Nets& nets);
 
 }  // namespace ridgecraft::unfold

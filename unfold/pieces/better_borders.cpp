@@ -9,11 +9,10 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "unfold/energy/anneal.hpp"
-#include "unfold/net/tolerance.hpp"
-#include "unfold/patch/forest.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/linked_patch.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {

@@ -11,18 +11,17 @@
 #include "base/random.hpp"
 #include "unfold/energy/anneal.hpp"
 #include "unfold/energy/net_energy.hpp"
-#include "unfold/folding/free_folding.hpp"
-#include "unfold/net/tolerance.hpp"
-#include "unfold/patch/check.hpp"
+#include "unfold/folding/folding_meetings.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// What a piece that folds freely may cost more, mm of seam (piece_rules.hpp).
+/// What a piece that folds freely may cost more, mm of seam (net/options.hpp).
 constexpr double worth_of_free_folding_mm = 100.0;
 /// From a tree that folds freely a better one is searched for by a share of the trials that the first search
 /// had, beginning with this heat, mm: it is near already.

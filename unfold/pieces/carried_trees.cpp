@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "unfold/patch/check.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/disjoint_sets.hpp"
-#include "unfold/net/tolerance.hpp"
+#include "unfold/net/options.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/carried_trees.hpp"
 #include "unfold/pieces/mirror_units.hpp"
 

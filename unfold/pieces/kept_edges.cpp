@@ -2,11 +2,18 @@
 #include "unfold/pieces/kept_edges.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
+#include "prepare/prepared/narrow_faces.hpp"
+#include "unfold/energy/bands.hpp"
 #include "unfold/patch/patch.hpp"
+#include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -162,6 +169,227 @@ class Keeper {
 KeptEdges settle_wishes(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
                         const Room& room, double tolerance, const Context& context) {
   return Keeper(surface, panels, wishes, room, tolerance, context).run();
+}
+
+namespace {
+
+/// The mean rung of a band that stays a strip, of what its regions have of a rim; divided by Weights::bands.
+constexpr double least_rung_to_rim = 1.1;
+
+/// The rungs of each band as edges; none of bands with a border of labels across them.
+std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Patch& patch,
+                                          const Bands& bands) {
+  std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (bands.band[side] != nothing && side < patch.twin[side]) {
+      edges[bands.band[side]].push_back(surface.edge(mesh::corner(patch.face[side / 3], side % 3)));
+    }
+  }
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (bands.band[side] != nothing && is_border_of_labels(patch, side)) {
+      edges[bands.band[side]].clear();
+    }
+  }
+  return edges;
+}
+
+class Seams {
+ public:
+  Seams(const mesh::Surface& surface, const MirrorImages& images)
+      : surface_(surface), images_(images), chosen_(surface.edge_count(), 0) {}
+
+  /// The rung at which a band is cut: the image of the one at which its mirror image is, else the nearest to
+  /// the plane. (Of rungs equally near, the farthest along two odd directions: which it is depends on nothing
+  /// but the place.)
+  EdgeId of(const std::vector<EdgeId>& rungs) {
+    auto seam = std::find_if(rungs.begin(), rungs.end(), [&](EdgeId e) {
+      const EdgeId image = image_of(e);
+      return image.valid() && chosen_[image] != 0;
+    });
+    if (seam == rungs.end()) {
+      seam = std::min_element(rungs.begin(), rungs.end(),
+                              [&](EdgeId a, EdgeId b) { return place(a) < place(b); });
+    }
+    chosen_[*seam] = 1;
+    return *seam;
+  }
+
+ private:
+  [[nodiscard]] EdgeId image_of(EdgeId e) const { return images_.edge.empty() ? EdgeId() : images_.edge[e]; }
+
+  /// Smaller is better.
+  [[nodiscard]] std::tuple<double, double, EdgeId> place(EdgeId e) const {
+    const CornerId c = surface_.sides(e)[0];
+    const Vec3 middle =
+        0.5 * (surface_.point(surface_.vertex(c)) + surface_.point(surface_.vertex(mesh::next(c))));
+    // Equal but for rounding is equal.
+    const double unit = 1e-6 * surface_.bounds().largest_extent();
+    const double off = images_.edge.empty() ? 0.0 : std::abs(images_.plane.height(middle));
+    return {std::round(off / unit), std::round(-(middle.y + 0.01 * middle.x) / unit), e};
+  }
+
+  const mesh::Surface& surface_;
+  const MirrorImages& images_;
+  IdVector<EdgeId, std::uint8_t> chosen_;
+};
+
+}  // namespace
+
+EdgeWishes with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                           std::span<const std::uint32_t> labels, const EdgeWishes& wishes,
+                           const Weights& weights) {
+  if (weights.bands <= 0.0) {
+    return wishes;
+  }
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    faces.push_back(f);
+  }
+  const Patch patch = make_patch(surface, panels, faces, wishes.items(), labels);
+  const Bands bands = find_bands(patch);
+  if (bands.empty()) {
+    return wishes;
+  }
+  // The edges of a rung lie between the same two flat regions.
+  const auto beside = [&](EdgeId e) -> std::pair<PanelId, PanelId> {
+    const auto [c, d] = surface.sides(e);
+    const PanelId a = panels.panel[mesh::face_of(c)];
+    const PanelId b = panels.panel[mesh::face_of(d)];
+    return {std::min(a, b), std::max(a, b)};
+  };
+  const MirrorImages images = mirror_images(surface, weights);
+  Seams seams(surface, images);
+  EdgeWishes result = wishes.empty() ? EdgeWishes(surface.edge_count(), EdgeWish::none) : wishes;
+  const std::vector<std::vector<EdgeId>> edges = edges_of(surface, patch, bands);
+  for (std::size_t band = 0; band < edges.size(); ++band) {
+    if (edges[band].empty() ||
+        weights.bands * bands.mean_rung_mm[band] < least_rung_to_rim * bands.mean_rim_mm[band] ||
+        std::any_of(edges[band].begin(), edges[band].end(),
+                    [&](EdgeId e) { return result[e] != EdgeWish::none; })) {
+      continue;
+    }
+    for (const EdgeId e : edges[band]) {
+      result[e] = EdgeWish::band;
+    }
+    if (bands.closed[band] != 0) {
+      const std::pair<PanelId, PanelId> seam = beside(seams.of(edges[band]));
+      for (const EdgeId e : edges[band]) {
+        result[e] = beside(e) == seam ? EdgeWish::none : EdgeWish::band;
+      }
+    }
+  }
+  return result;
+}
+
+namespace {
+
+/// So many flat regions are kept together at most: where all are narrow, nothing would be left to choose.
+constexpr std::uint32_t most_together = 6;
+/// What lies beside a needle at its other side may hang on it where so much of the border between them lies
+/// across from what the needle is kept with: both fold as at one edge. Elsewhere it would hang on a thread.
+constexpr double least_across = 0.5;
+
+/// A side of a flat region, and the one beyond it.
+struct BorderSide {
+  EdgeId edge;
+  std::uint32_t neighbour = 0;
+};
+
+class Needles {
+ public:
+  Needles(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes)
+      : surface_(surface),
+        panels_(panels),
+        asked_(wishes),
+        result_(wishes),
+        sets_(panels.count()),
+        together_(panels.count(), 1) {}
+
+  EdgeWishes run() {
+    for (const PanelId p : ids<PanelId>(panels_.count())) {
+      if (prepare::is_narrow(surface_, panels_, p, needle_mm)) {
+        keep(p);
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void keep(PanelId p) {
+    const std::vector<BorderSide> sides = free_sides(p);
+    const auto longest = std::max_element(sides.begin(), sides.end(), [&](const auto& a, const auto& b) {
+      return surface_.length(a.edge) < surface_.length(b.edge);
+    });
+    if (longest == sides.end()) {
+      return;
+    }
+    const std::uint32_t both = together_[sets_.find(p.value())] + together_[sets_.find(longest->neighbour)];
+    if (both > most_together || !sets_.join(p.value(), longest->neighbour)) {
+      return;
+    }
+    together_[sets_.find(p.value())] = both;
+    wish(longest->edge, EdgeWish::needle);
+    for (const BorderSide& side : sides) {
+      if (side.neighbour != longest->neighbour && result_[side.edge] == EdgeWish::none &&
+          !lies_across(side.edge, longest->edge)) {
+        wish(side.edge, EdgeWish::cut);
+      }
+    }
+  }
+
+  /// Sides of a panel that nobody has a wish for.
+  [[nodiscard]] std::vector<BorderSide> free_sides(PanelId p) const {
+    std::vector<BorderSide> sides;
+    for (const FaceId f : panels_.faces[p]) {
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId side = mesh::corner(f, k);
+        const EdgeId e = surface_.edge(side);
+        const FaceId beyond = surface_.neighbor(side);
+        if (beyond.valid() && panels_.panel[beyond] != p && (asked_.empty() || asked_[e] == EdgeWish::none)) {
+          sides.push_back({e, panels_.panel[beyond].value()});
+        }
+      }
+    }
+    return sides;
+  }
+
+  /// Along the kept edge, is most of the other one at its height?
+  [[nodiscard]] bool lies_across(EdgeId other, EdgeId kept) const {
+    const auto [start, end] = ends(kept);
+    const double extent = surface_.length(kept);
+    const Vec3 along = (end - start) / extent;
+    const auto [a, b] = ends(other);
+    const double at_a = dot(a - start, along);
+    const double at_b = dot(b - start, along);
+    const double shared = std::min(std::max(at_a, at_b), extent) - std::max(std::min(at_a, at_b), 0.0);
+    return shared >= least_across * surface_.length(other);
+  }
+
+  [[nodiscard]] std::array<Vec3, 2> ends(EdgeId edge) const {
+    const CornerId side = surface_.sides(edge)[0];
+    return {surface_.point(surface_.vertex(side)), surface_.point(surface_.vertex(mesh::next(side)))};
+  }
+
+  void wish(EdgeId edge, EdgeWish what) {
+    if (result_.empty()) {
+      result_ = EdgeWishes(surface_.edge_count(), EdgeWish::none);
+    }
+    result_[edge] = what;
+  }
+
+  const mesh::Surface& surface_;
+  const prepare::Panels& panels_;
+  const EdgeWishes& asked_;
+  EdgeWishes result_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> together_;  ///< of each set, at its first
+};
+
+}  // namespace
+
+EdgeWishes with_needles_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                             const EdgeWishes& wishes) {
+  return Needles(surface, panels, wishes).run();
 }
 
 }  // namespace ridgecraft::unfold

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_wishes.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -23,5 +26,29 @@ struct KeptEdges {
 [[nodiscard]] KeptEdges settle_wishes(const mesh::Surface& surface, const prepare::Panels& panels,
                                       const EdgeWishes& wishes, const Room& room, double tolerance,
                                       const Context& context);
+
+// Walls that go round stay strips.
+
+/// What is wished for, and EdgeWish::band for the rungs of each band of the surface (energy/bands.hpp) that
+/// is wide: by Weights::bands at least 1.1 times as wide as its regions are long on average. A narrower one
+/// may as well hang on a disk in single flaps. Of a band that goes all the way round one rung stays free,
+/// its seam: as near to the mirror plane as any lies, mirrored where bands are mirrored. Bands with a rung
+/// that somebody has a wish for, or where labels (per face, or empty) meet, are left as they are. Nothing
+/// is added where Weights::bands is 0. O(n log n).
+[[nodiscard]] EdgeWishes with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                                         std::span<const std::uint32_t> labels, const EdgeWishes& wishes,
+                                         const Weights& weights);
+
+// Faces that no knife cuts out stay with a neighbour.
+
+/// Flat regions narrower than this can't be cut out and glued, mm.
+inline constexpr double needle_mm = 1.0;
+
+/// What is wished for, and that each flat region narrower than needle_mm keeps the longest edge that it
+/// shares with another and nobody has a wish for, as long as few are kept together; what lies elsewhere
+/// beside it is cut off it, so that nothing hangs on a thread of paper. The wishes as they were where there
+/// is no such region. O(n).
+[[nodiscard]] EdgeWishes with_needles_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                                           const EdgeWishes& wishes);
 
 }  // namespace ridgecraft::unfold

@@ -10,9 +10,9 @@
 #include "prepare/symmetry/mirrors.hpp"
 #include "prepare/symmetry/seen_edges.hpp"
 #include "unfold/energy/piece_cost.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -12,7 +12,7 @@
 #include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/symmetry/isometry.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "unfold/energy/piece_cost.hpp"
-#include "unfold/net/tolerance.hpp"
-#include "unfold/patch/forest.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
-#include "unfold/pieces/joined_nets.hpp"
-#include "unfold/pieces/trees_together.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
+#include "unfold/pieces/fewer_pieces.hpp"
+#include "unfold/pieces/part_merging.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "unfold/patch/forest.hpp"
 #include "unfold/patch/layout.hpp"
+#include "unfold/patch/tree.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/context.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/patch/room.hpp"
+#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -2,6 +2,7 @@
 #include "unfold/pieces/part_merging.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -10,12 +11,83 @@
 #include "base/random.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
-#include "unfold/pieces/joined_nets.hpp"
-#include "unfold/pieces/piece_borders.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/one_piece.hpp"
 
 namespace ridgecraft::unfold {
+
+std::vector<PieceBorder> piece_borders(const Patch& patch, std::span<const std::uint32_t> piece) {
+  std::vector<double> area;
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    area.resize(std::max<std::size_t>(area.size(), piece[f] + 1), 0.0);
+    area[piece[f]] += area_of(patch.shape[f]);
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> length;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.twin[side] != nothing && piece[side / 3] < piece[patch.twin[side] / 3]) {
+      length[{piece[side / 3], piece[patch.twin[side] / 3]}] += patch.length[side];
+    }
+  }
+  std::vector<PieceBorder> borders;
+  for (const auto& [ends, mm] : length) {
+    const auto [a, b] = ends;
+    borders.push_back({a, b, mm, std::min(area[a], area[b])});
+  }
+  std::stable_sort(borders.begin(), borders.end(), [](const PieceBorder& s, const PieceBorder& t) {
+    return s.smaller_area != t.smaller_area ? s.smaller_area < t.smaller_area : s.length > t.length;
+  });
+  return borders;
+}
+
+namespace {
+
+/// Cuts at which two pieces are tried to be joined.
+constexpr std::size_t shared_cuts_tried = 24;
+
+/// The cuts between two trees: those inside flat regions first, then long ones.
+std::vector<std::uint32_t> shared_cuts(const Patch& both, const Folds& apart) {
+  const Layout layout = lay_out(both, apart);
+  std::vector<std::uint32_t> cuts;
+  for (std::uint32_t side = 0; side < both.twin.size(); ++side) {
+    const std::uint32_t twin = both.twin[side];
+    if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3]) {
+      cuts.push_back(side);
+    }
+  }
+  std::stable_sort(cuts.begin(), cuts.end(), [&](std::uint32_t s, std::uint32_t t) {
+    return both.frozen[s] != both.frozen[t] ? both.frozen[s] > both.frozen[t]
+                                            : both.length[s] > both.length[t];
+  });
+  cuts.resize(std::min(cuts.size(), shared_cuts_tried));
+  return cuts;
+}
+
+}  // namespace
+
+std::optional<Folds> join_as_they_are(const Patch& both, const Folds& apart, const Room& room,
+                                      const Weights& weights, const NetsToJoin& rules, std::size_t& work) {
+  double limit = rules.most_cost;
+  std::optional<Folds> best;
+  for (const std::uint32_t side : shared_cuts(both, apart)) {
+    if (work < both.size()) {
+      break;
+    }
+    work -= both.size();
+    Folds trial = apart;
+    set_fold(both, trial, side, true);
+    if (!all_fit(both, trial, room)) {
+      continue;
+    }
+    const double cost = cost_of_piece(both, trial, rules.parts, weights);
+    if (cost < limit && find_overlaps(lay_out(both, trial), rules.tolerance).empty()) {
+      limit = cost;
+      best = std::move(trial);
+    }
+  }
+  return best;
+}
+
 namespace {
 
 /// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they

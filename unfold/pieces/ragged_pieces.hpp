@@ -6,7 +6,7 @@
 
 #include "base/context.hpp"
 #include "base/id.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {

@@ -11,7 +11,7 @@
 
 #include "base/disjoint_sets.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/carried_trees.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/turn_powers.hpp"

@@ -9,7 +9,7 @@
 #include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/symmetry/rotations.hpp"
-#include "unfold/net/piece_rules.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {

@@ -9,10 +9,9 @@
 #include "prepare/symmetry/twins.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/net/equal_pieces.hpp"
-#include "unfold/net/tolerance.hpp"
-#include "unfold/patch/check.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/sub_patch.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 
 namespace ridgecraft::unfold {

@@ -1,19 +1,212 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bounding hierarchy of circles over a sequence of faces: the n-th leaf encloses the n-th face of the
-// order.
+// The faces of a tree in circles that move with their branch: which faces overlap, eight at a time.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
+#include "base/geometry.hpp"
 #include "base/vector.hpp"
-#include "unfold/search/lanes.hpp"
+#include "unfold/patch/patch.hpp"
 
 namespace ridgecraft::unfold {
+
+// Lanes for compilers without vector types: plain arrays, number by number.
+
+/// `count` numbers; operators work on each for itself, a single number stands for `count` equal ones.
+template <typename Number, std::size_t count>
+struct PortableLanes {
+  Number number[count];  // NOLINT(modernize-avoid-c-arrays): braces as for a vector type
+
+  constexpr Number& operator[](std::size_t lane) { return number[lane]; }
+  constexpr Number operator[](std::size_t lane) const { return number[lane]; }
+
+  friend constexpr PortableLanes operator+(const PortableLanes& a, const PortableLanes& b) {
+    return each(a, b, [](Number x, Number y) { return x + y; });
+  }
+  friend constexpr PortableLanes operator-(const PortableLanes& a, const PortableLanes& b) {
+    return each(a, b, [](Number x, Number y) { return x - y; });
+  }
+  friend constexpr PortableLanes operator*(const PortableLanes& a, const PortableLanes& b) {
+    return each(a, b, [](Number x, Number y) { return x * y; });
+  }
+  friend constexpr PortableLanes operator+(const PortableLanes& a, Number b) { return a + all(b); }
+  friend constexpr PortableLanes operator-(const PortableLanes& a, Number b) { return a - all(b); }
+  friend constexpr PortableLanes operator*(const PortableLanes& a, Number b) { return a * all(b); }
+  friend constexpr PortableLanes operator*(Number a, const PortableLanes& b) { return all(a) * b; }
+
+  /// -1 in the lanes where a is less than b, 0 in the others.
+  friend constexpr PortableLanes<std::int32_t, count> operator<(const PortableLanes& a,
+                                                                const PortableLanes& b) {
+    PortableLanes<std::int32_t, count> holds{};
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      holds[lane] = a[lane] < b[lane] ? -1 : 0;
+    }
+    return holds;
+  }
+
+ private:
+  static constexpr PortableLanes all(Number value) {
+    PortableLanes lanes{};
+    for (Number& number : lanes.number) {
+      number = value;
+    }
+    return lanes;
+  }
+  template <typename Operation>
+  static constexpr PortableLanes each(const PortableLanes& a, const PortableLanes& b, Operation operation) {
+    PortableLanes lanes{};
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      lanes[lane] = operation(a[lane], b[lane]);
+    }
+    return lanes;
+  }
+};
+
+using PortableFloatLanes = PortableLanes<float, 4>;
+using PortableIntLanes = PortableLanes<std::int32_t, 4>;
+using PortableDoubleLanes = PortableLanes<double, 2>;
+
+/// Bit k: lane k of a comparison's result holds.
+[[nodiscard]] constexpr std::uint32_t bits_of(const PortableIntLanes& holds) {
+  std::uint32_t bits = 0;
+  for (unsigned lane = 0; lane < 4; ++lane) {
+    bits |= holds[lane] != 0 ? 1U << lane : 0U;
+  }
+  return bits;
+}
+
+template <typename Number, std::size_t count>
+[[nodiscard]] constexpr PortableLanes<Number, count> smaller(PortableLanes<Number, count> a,
+                                                             const PortableLanes<Number, count>& b) {
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    a[lane] = a[lane] < b[lane] ? a[lane] : b[lane];
+  }
+  return a;
+}
+template <typename Number, std::size_t count>
+[[nodiscard]] constexpr PortableLanes<Number, count> larger(PortableLanes<Number, count> a,
+                                                            const PortableLanes<Number, count>& b) {
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    a[lane] = a[lane] > b[lane] ? a[lane] : b[lane];
+  }
+  return a;
+}
+
+}  // namespace ridgecraft::unfold
+
+// Four numbers worked at a time: in the vector form that GCC and Clang share, or the portable way where a
+// compiler has none or the build asks for it. Both give the same bits as one number after the other.
+
+#if defined(__GNUC__) && !defined(RIDGECRAFT_PORTABLE)
+
+namespace ridgecraft::unfold {
+
+using FloatLanes = float __attribute__((vector_size(16)));
+using IntLanes = std::int32_t __attribute__((vector_size(16)));
+using DoubleLanes = double __attribute__((vector_size(16)));  ///< two
+
+/// Bit k: lane k of a comparison's result holds.
+[[nodiscard]] inline std::uint32_t bits_of(IntLanes holds) {
+  const IntLanes bits = holds & IntLanes{1, 2, 4, 8};
+  return static_cast<std::uint32_t>((bits[0] | bits[1]) | (bits[2] | bits[3]));
+}
+
+[[nodiscard]] inline FloatLanes smaller(FloatLanes a, FloatLanes b) {
+  return a < b ? a : b;
+}
+[[nodiscard]] inline FloatLanes larger(FloatLanes a, FloatLanes b) {
+  return a > b ? a : b;
+}
+[[nodiscard]] inline DoubleLanes smaller(DoubleLanes a, DoubleLanes b) {
+  return a < b ? a : b;
+}
+[[nodiscard]] inline DoubleLanes larger(DoubleLanes a, DoubleLanes b) {
+  return a > b ? a : b;
+}
+
+}  // namespace ridgecraft::unfold
+
+#else
+
+#include "unfold/search/circle_tree.hpp"
+
+namespace ridgecraft::unfold {
+
+using FloatLanes = PortableFloatLanes;
+using IntLanes = PortableIntLanes;
+using DoubleLanes = PortableDoubleLanes;  ///< two
+
+}  // namespace ridgecraft::unfold
+
+#endif
+
+namespace ridgecraft::unfold {
+
+// A triangle with its edges as half-planes worked out once: the overlap test of the inner loops.
+
+/// Edge k's outward unit normal is (x[k], y[k]); no corner of the triangle is farther along it than reach[k].
+/// Lane 3 repeats lane 0, so that four lanes can be worked at a time without a remainder. An edge without
+/// length has reach infinity: it never separates.
+struct EdgedTriangle {
+  Triangle corner{};
+  std::array<DoubleLanes, 2> x{}, y{}, reach{};
+};
+
+[[nodiscard]] inline EdgedTriangle edged(const Triangle& t) {
+  EdgedTriangle e;
+  e.corner = t;
+  for (unsigned lane = 0; lane < 4; ++lane) {
+    const unsigned k = lane % 3;
+    const Vec2 along = t[(k + 1) % 3] - t[k];
+    const double size = length(along);
+    const Vec2 out = size > 0.0 ? Vec2{along.y / size, -along.x / size} : Vec2{};
+    e.x[lane / 2][lane % 2] = out.x;
+    e.y[lane / 2][lane % 2] = out.y;
+    e.reach[lane / 2][lane % 2] = size > 0.0
+                                      ? std::max(dot(out, t[0]), std::max(dot(out, t[1]), dot(out, t[2])))
+                                      : std::numeric_limits<double>::infinity();
+  }
+  return e;
+}
+
+[[nodiscard]] inline EdgedTriangle moved(const EdgedTriangle& e, const Rigid& motion) {
+  EdgedTriangle m;
+  m.corner = {motion(e.corner[0]), motion(e.corner[1]), motion(e.corner[2])};
+  for (unsigned half = 0; half < 2; ++half) {
+    m.x[half] = motion.cosine * e.x[half] - motion.sine * e.y[half];
+    m.y[half] = motion.sine * e.x[half] + motion.cosine * e.y[half];
+    m.reach[half] = e.reach[half] + m.x[half] * motion.shift.x + m.y[half] * motion.shift.y;
+  }
+  return m;
+}
+
+/// Whether an edge of a separates b from a but for a depth of at most the tolerance.
+[[nodiscard]] inline bool separates(const EdgedTriangle& a, const EdgedTriangle& b, double tolerance) {
+  std::array<DoubleLanes, 2> gap;
+  for (unsigned half = 0; half < 2; ++half) {
+    const DoubleLanes d0 = a.x[half] * b.corner[0].x + a.y[half] * b.corner[0].y;
+    const DoubleLanes d1 = a.x[half] * b.corner[1].x + a.y[half] * b.corner[1].y;
+    const DoubleLanes d2 = a.x[half] * b.corner[2].x + a.y[half] * b.corner[2].y;
+    gap[half] = smaller(smaller(d0, d1), d2) - a.reach[half];
+  }
+  const DoubleLanes widest = larger(gap[0], gap[1]);
+  return (widest[0] > widest[1] ? widest[0] : widest[1]) >= -tolerance;
+}
+
+/// As overlap() of unfold/patch/patch.hpp, but for rounding.
+[[nodiscard]] inline bool overlap(const EdgedTriangle& a, const EdgedTriangle& b, double tolerance) {
+  return !separates(a, b, tolerance) && !separates(b, a, tolerance);
+}
+
+// A bounding hierarchy of circles over a sequence of faces: the n-th leaf encloses the n-th face of the
+// order.
 
 struct Circle {
   Vec2 centre;

@@ -5,11 +5,10 @@
 
 #include "base/elementary.hpp"
 #include "base/random.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/search/overlap_pairs.hpp"
-#include "unfold/search/random_swaps.hpp"
 #include "unfold/search/rooted_net.hpp"
+#include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

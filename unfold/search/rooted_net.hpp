@@ -10,13 +10,12 @@
 
 #include "unfold/patch/patch.hpp"
 #include "unfold/search/circle_tree.hpp"
-#include "unfold/search/edged_triangle.hpp"
 
 namespace ridgecraft::unfold {
 
 /// One tree over a patch, the places of its faces, and the swap that changes it: the fold above a face
 /// `below` becomes a cut, and `side`, a side of a cut between the two halves that this leaves, becomes a
-/// fold. The patch must be connected and outlive the net. Of overlap it knows nothing (swap_overlaps.hpp,
+/// fold. The patch must be connected and outlive the net. Of overlap it knows nothing (overlap_pairs.hpp,
 /// overlap_pairs.hpp).
 ///
 /// The tree is kept as one flag per side and, for the traversal from a root, a cyclic preorder: the subtree

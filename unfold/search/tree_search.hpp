@@ -1,24 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The search for a spanning tree whose net has no overlap: tabu search over edge swaps of the unrooted tree.
-//
-// Sources: the swap of a subtree against its neighbours and the tabu list: L. Zawallich, "Unfolding polyhedra
-// via tabu search", The Visual Computer 2024. Restriction to the tree path between two overlapping faces, and
-// the wide stage of random samples: our own measurements (docs/design/unfolding.md).
+// Single exchanges of a fold and a cut, drawn at random: what searches among the trees of one net try.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "base/context.hpp"
 #include "base/random.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/patch/start_tree.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/overlap_pairs.hpp"
 #include "unfold/search/rooted_net.hpp"
-#include "unfold/search/swap_overlaps.hpp"
 
 namespace ridgecraft::unfold {
+
+/// The fold above the face `below` leaves the tree, the cut `side`, which crosses it, comes in.
+struct Swap {
+  std::uint32_t below = nothing;
+  std::uint32_t side = nothing;
+};
+
+/// One of them; there must be one.
+template <class T>
+[[nodiscard]] const T& draw(const std::vector<T>& from, Random& random) {
+  return from[random.below(static_cast<std::uint32_t>(from.size()))];
+}
+
+/// A cut comes in, and one of the folds that may leave for it goes. Nothing where none may.
+[[nodiscard]] std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, RootedNet& net,
+                                               Random& random);
+
+/// One of the folds on the way from one face to another goes, and one of the cuts across it comes in, so that
+/// they hang together by another way. Nothing where there is none. `branch` is space to work in.
+[[nodiscard]] std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, RootedNet& net,
+                                                    Branch& branch, Random& random);
+
+// The search for a spanning tree whose net has no overlap: tabu search over edge swaps of the unrooted tree.
+//
+// Sources: the swap of a subtree against its neighbours and the tabu list: L. Zawallich, "Unfolding polyhedra
+// via tabu search", The Visual Computer 2024. Restriction to the tree path between two overlapping faces, and
+// the wide stage of random samples: our own measurements (docs/design/unfolding.md).
 
 /// The walk from tree to tree of one patch, which must be connected and outlive the search.
 class TreeSearch {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/boxes.hpp"
-#include "unfold/tabs/shape/clearance.hpp"
+#include "unfold/tabs/shape/convex_shape.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "unfold/net/equal_pieces.hpp"
-#include "unfold/tabs/shape/trimming.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -2,6 +2,7 @@
 // Tabs that make a piece too large for the sheet.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/tab_wishes.hpp"
 
 namespace ridgecraft::unfold {
@@ -36,5 +38,34 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets);
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                        const Sheet& sheet, Nets& nets, const Context& context,
                        std::span<const TabWish> wishes = {});
+
+// Tabs that come after those of the joins, and keep clear of all that stand already.
+
+class StandingTabs {
+ public:
+  /// The nets must outlive it; `options` has the clearance.
+  StandingTabs(Nets& nets, const TabOptions& options)
+      : nets_(nets), clearance_mm_(options.clearance_mm), standing_(nets.pieces.size()) {}
+
+  /// A tab of the nets, and its site.
+  void add_standing(const TabSite& site, const Tab& tab);
+  /// Gives the nets a tab: the best usable shape within `room` that nothing is in the way of, if there is
+  /// one. O(tabs of the piece).
+  void place(const TabSite& site, ConvexShape room, const TabOptions& options, Tab tab);
+
+ private:
+  /// A tab that stands, on its site.
+  struct Standing {
+    TabSite site;
+    ConvexShape shape;
+  };
+
+  Nets& nets_;
+  double clearance_mm_;
+  IdVector<PieceId, std::vector<Standing>> standing_;
+};
+
+/// Tabs from `first` on go from each piece that doesn't fit the sheet with them. O(n log n).
+void drop_beyond(const Sheet& sheet, std::size_t first, Nets& nets);
 
 }  // namespace ridgecraft::unfold

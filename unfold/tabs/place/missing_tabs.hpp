@@ -10,14 +10,16 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/tabs/shape/candidates.hpp"
+#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
 
 /// A join without a usable tab that could have one.
 struct TabGap {
-  /// A tab that is tried (candidates.hpp).
+  /// A tab that is tried (shapes.hpp).
   struct Place {
     FaceId face;                     ///< it grows from
     std::vector<FaceId> in_the_way;  ///< faces of its piece that it would meet, or the tabs of
@@ -52,5 +54,16 @@ class TabGaps {
   IdVector<EdgeId, std::uint8_t> able_;
   std::vector<std::vector<TabCandidate>> candidates_;  ///< per corner: its side
 };
+
+// Tabs beyond the one that each join has (is_additional): on its other side, and at edges that are glued to
+// nothing.
+
+/// Gives joins whose wish asks for it a second tab, the mirror image of the first one or what room leaves of
+/// it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
+/// join. They come after all others, keep clear of them, and are left out on pieces that don't fit the sheet
+/// with them. O(n log n) for pieces of bounded size. Throws Error(interrupted).
+void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
+                   std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
+                   const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two sides of every join as places for a tab: where they lie, what stands around them, what they are
-// glued behind.
+// How much paper a tab hangs on.
 #pragma once
 
 #include <array>
@@ -8,13 +7,40 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/tabs/place/feet.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
+
+/// Paper that a tab hangs on must reach so far behind its base, mm, along half of it: less tears off, and is
+/// nothing to press on.
+inline constexpr double least_paper_mm = 2.0;
+
+/// Does enough paper lie behind a cut for a tab to hang on it? Looks from nine places on the edge straight
+/// into the piece, over folds, until a cut. O(faces within least_paper_mm).
+[[nodiscard]] bool enough_paper_behind(const mesh::Surface& surface, const Nets& nets, CornerId side);
+
+// Where bodies stand on others: flat openings that lie on another body's face.
+
+/// A side of a foot: a border edge that lies on a face of another component.
+struct FootSide {
+  CornerId side;
+  /// The whole opening, laid flat over the edge in the frame of tab shapes: where a tab lies when it is
+  /// folded inwards. The edge is its first side.
+  std::vector<Vec2> opening;
+};
+
+/// Openings that are flat and lie on parallel faces of other components, none farther from them than
+/// mesh::touching_mm; of their sides those whose middle does, and whose face rises from there by 30 degrees:
+/// a sheet that lies on a face has none. Openings of more than 1000 sides have none either. O(n log n), and
+/// the square of an opening's sides. Throws Error(interrupted).
+[[nodiscard]] std::vector<FootSide> find_feet(const mesh::Surface& surface, const Context& context);
+
+// The two sides of every join as places for a tab: where they lie, what stands around them, what they are
+// glued behind.
 
 /// A rigid frame of the plane: local (x, y) is the point origin + x * axis + y * (axis turned left). No
 /// Rigid, whose inverse turns before it shifts: here points of the x axis come in with y = 0 but for one
@@ -42,7 +68,7 @@ struct TabSite {
   double length = 0.0;                   ///< mm
   double area = 0.0;                     ///< of the flat region that the tab grows from, mm^2
   std::array<std::uint32_t, 2> ends{};   ///< net vertices at (0, 0) and (length, 0)
-  bool has_paper = true;                 ///< behind it, for a tab to hang on (paper_behind.hpp)
+  bool has_paper = true;                 ///< behind it, for a tab to hang on
   std::vector<Obstacle> obstacles;       ///< in the frame of tab shapes
   std::vector<Obstacle> region_outline;  ///< of the target region alone, near the edge; frame of tab shapes
 };

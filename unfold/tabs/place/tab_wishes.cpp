@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "unfold/tabs/shape/arrows.hpp"
+#include "unfold/tabs/place/slot_tabs.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

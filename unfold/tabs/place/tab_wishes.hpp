@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user's choice of tabs (net/tab_choice.hpp) means for each join.
+// What a user's choice of tabs (net/options.hpp) means for each join.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,13 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/net/tab_choice.hpp"
 
 namespace ridgecraft::unfold {
 
 /// How one join's tab is to be.
 struct TabWish {
   bool wanted = true;
-  bool second = false;               ///< a tab on the other side, too (more_tabs.hpp)
+  bool second = false;               ///< a tab on the other side, too (missing_tabs.hpp)
   std::optional<std::uint8_t> side;  ///< of Surface::sides(edge): 0 or 1, from which it grows
   bool no_other_side = false;        ///< rather no tab than one on the other side
   bool slot = false;                 ///< to be put into a slit (slot_tabs.hpp), with the height for it

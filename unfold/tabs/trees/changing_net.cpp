@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/geometry.hpp"
-#include "unfold/patch/check.hpp"
 #include "unfold/patch/layout.hpp"
 
 namespace ridgecraft::unfold {

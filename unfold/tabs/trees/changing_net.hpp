@@ -9,9 +9,9 @@
 
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/search/random_swaps.hpp"
+#include "unfold/search/overlap_pairs.hpp"
 #include "unfold/search/rooted_net.hpp"
-#include "unfold/search/swap_overlaps.hpp"
+#include "unfold/search/tree_search.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 namespace ridgecraft::unfold {
@@ -24,7 +24,7 @@ class ChangingNet {
   ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
               const Folds& folds, const TabOptions& tabs, double tolerance);
   /// The tree spans `joined`, tabs see the cuts of `patch`: pieces that are searched together
-  /// (linked_patch.hpp).
+  /// (patch.hpp).
   ChangingNet(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
               const Patch& joined, const Folds& folds, const TabOptions& tabs, double tolerance);
   /// Without tabs.

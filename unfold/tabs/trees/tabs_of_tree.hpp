@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tabs of a tree while the tree changes: what fits where, which are chosen, kept up to date around a
-// change.
+// What the faces behind which tabs are glued allow, whatever the net: known before any search.
 #pragma once
 
 #include <array>
@@ -9,15 +8,81 @@
 #include <vector>
 
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/tabs/place/sites.hpp"
-#include "unfold/tabs/place/targets.hpp"
-#include "unfold/tabs/shape/candidates.hpp"
-#include "unfold/tabs/trees/logged_values.hpp"
+#include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
 
-/// Usable tabs on the cuts of a net, of few shapes (candidates.hpp). Cuts to faces outside the patch
+/// Per side of a patch, for a tab that grows from it.
+struct TabTargets {
+  std::vector<std::vector<Obstacle>>
+      outline;                       ///< of the panel it is glued behind, near the edge; frame of tab shapes
+  std::vector<ConvexShape> largest;  ///< usable and inside that panel or, where it is too narrow, across
+                                     ///< slight folds; empty if there is none
+  /// Folds (one side of each) behind which `largest` lies beside that panel: it needs them to be folds. None
+  /// where the panel alone is wide enough.
+  std::vector<std::vector<std::uint32_t>> across;
+  /// 1 where the edge leads out of the patch and this side is the one that should give the tab: the smaller
+  /// panel, unless only the other one has a target large enough.
+  std::vector<std::uint8_t> seam;
+};
+
+/// Panels are taken as whole. Sides inside a panel and at borders of the surface have no target. O(n), but
+/// for panels of very many sides.
+[[nodiscard]] TabTargets find_tab_targets(const mesh::Surface& surface, const prepare::Panels& panels,
+                                          const Patch& patch, const TabOptions& options);
+
+// Numbered values that remember what they were, so that a change of many of them can be taken back.
+
+/// A fixed number of values with a log of all that was overwritten since the last keep(). Taking back reads
+/// the log and never writes to it. T must be comparable.
+template <class T>
+class LoggedValues {
+ public:
+  /// `count` default values and an empty log.
+  explicit LoggedValues(std::size_t count) : now_(count) {}
+
+  [[nodiscard]] const T& operator[](std::uint32_t i) const { return now_[i]; }
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(now_.size()); }
+
+  /// Overwrites a value; one that stays the same isn't logged.
+  void set(std::uint32_t i, const T& value) {
+    if (!(now_[i] == value)) {
+      before_.emplace_back(i, now_[i]);
+      now_[i] = value;
+    }
+  }
+
+  /// From here on: what is overwritten now can't be taken back any more.
+  void keep() { before_.clear(); }
+
+  /// Makes all values what they were at the last keep(). O(values overwritten since).
+  void take_back() {
+    // The oldest entry of a value is the one that counts, so the newest come first.
+    for (auto entry = before_.rbegin(); entry != before_.rend(); ++entry) {
+      now_[entry->first] = entry->second;
+    }
+    before_.clear();
+  }
+
+  /// Default values for all, and nothing to take back.
+  void reset() {
+    now_.assign(now_.size(), T());
+    before_.clear();
+  }
+
+ private:
+  std::vector<T> now_;
+  std::vector<std::pair<std::uint32_t, T>> before_;
+};
+
+// The tabs of a tree while the tree changes: what fits where, which are chosen, kept up to date around a
+// change.
+
+/// Usable tabs on the cuts of a net, of few shapes (shapes.hpp). Cuts to faces outside the patch
 /// count where this side should give the tab. A simplification of place_tabs, which has the last word: shapes
 /// are as small as usable ones can be, corners are shared where they are one vertex of the surface and lie at
 /// one place, and tabs are counted, not weighed.

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/net/options.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace ridgecraft::unfold {
+namespace {
+
+struct Term {
+  std::string_view name;
+  double Weights::*weight;
+};
+constexpr std::array terms{Term{"seam", &Weights::seam},       Term{"bare", &Weights::bare},
+                           Term{"slits", &Weights::slits},     Term{"mirror", &Weights::mirror},
+                           Term{"bands", &Weights::bands},     Term{"open", &Weights::open},
+                           Term{"borders", &Weights::borders}, Term{"compact", &Weights::compact},
+                           Term{"outline", &Weights::outline}, Term{"thin", &Weights::thin},
+                           Term{"pieces", &Weights::pieces},   Term{"parts", &Weights::parts},
+                           Term{"small", &Weights::small},     Term{"panels", &Weights::panels}};
+
+}  // namespace
+
+std::string_view name(PieceMode mode) {
+  switch (mode) {
+    case PieceMode::few:
+      return "few";
+    case PieceMode::parts:
+      return "parts";
+    case PieceMode::small:
+      return "small";
+  }
+  return "parts";
+}
+
+PieceRules rules_of(PieceMode mode) {
+  PieceRules rules;
+  rules.mode = mode;
+  rules.merge = true;
+  switch (mode) {
+    case PieceMode::few:
+      rules.weights.pieces = 10000.0;
+      rules.weights.parts = 0.0;
+      rules.weights.panels = 0.0;
+      break;
+    case PieceMode::parts:
+      rules.max_panels = 80;
+      break;
+    case PieceMode::small:
+      rules.max_panels = 24;
+      rules.weights.pieces = 300.0;
+      rules.weights.small = 800.0;
+      break;
+  }
+  return rules;
+}
+
+double* weight_named(Weights& weights, std::string_view name) {
+  const auto* const term =
+      std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == name; });
+  return term == terms.end() ? nullptr : &(weights.*(term->weight));
+}
+
+std::span<const std::string_view> term_names() {
+  static constexpr auto names = [] {
+    std::array<std::string_view, terms.size()> all;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      all[i] = terms[i].name;
+    }
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace ridgecraft::unfold

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/requested_splits.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/context.hpp"
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "unfold/folding/folding_meetings.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/nets_of_folds.hpp"
+#include "unfold/patch/layout.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/problem.hpp"
+#include "unfold/patch/tree.hpp"
+#include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/tab_split.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
+#include "unfold/tabs_of_nets.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+// Where no tree was found that folds up with all creases together, the piece is split: for sheets that fold
+// themselves.
+
+struct LinearSplit {
+  Folds folds;
+  std::size_t stuck = 0;  ///< pieces that still don't fold together, held by kept edges
+};
+
+using Faces = std::vector<std::uint32_t>;
+
+/// The fold between the most of these pairs, or nothing where only folds that have to stay are.
+std::uint32_t best_cut(const Patch& piece, const Folds& tree, const FacePairs& pairs) {
+  Faces place(piece.size(), nothing);
+  const RootedTree rooted = rooted_tree(piece, tree, 0, place);
+  std::vector<std::size_t> between(piece.size(), 0);  // per place: pairs that the fold above parts
+  for (const auto& [f, g] : pairs) {
+    // The later place of the two can't be above the other.
+    for (std::uint32_t a = place[f], b = place[g]; a != b;) {
+      std::uint32_t& later = a > b ? a : b;
+      ++between[later];
+      later = rooted.parent[later];
+    }
+  }
+  std::vector<std::size_t> size(piece.size(), 1);
+  for (std::size_t i = size.size(); i-- > 1;) {
+    size[rooted.parent[i]] += size[i];
+  }
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < size.size(); ++i) {
+    const auto smaller = [&](std::size_t k) { return std::min(size[k], piece.size() - size[k]); };
+    const bool may_go = piece.frozen[rooted.up[i]] == 0 && between[i] > 0;
+    if (may_go &&
+        (best == 0 || std::pair(between[i], smaller(i)) > std::pair(between[best], smaller(best)))) {
+      best = i;
+    }
+  }
+  return best == 0 ? nothing : rooted.up[best];
+}
+
+/// One piece of the forest and what becomes of it.
+class Splitting {
+ public:
+  Splitting(const Patch& piece, Folds folds, const Room& room, double tolerance, std::uint64_t seed,
+            const Context& context)
+      : piece_(piece),
+        folds_(std::move(folds)),
+        room_(room),
+        tolerance_(tolerance),
+        random_(seed),
+        context_(context) {}
+
+  /// Its folds, and how many pieces of them don't fold together.
+  LinearSplit run() {
+    std::size_t stuck = 0;
+    std::vector<Faces> open = lay_out(piece_, folds_).faces;
+    while (!open.empty()) {
+      Faces faces = std::move(open.back());
+      open.pop_back();
+      std::sort(faces.begin(), faces.end());
+      const Patch part = sub_patch(piece_, faces);
+      Folds tree = folding_tree(part, sub_folds(piece_, folds_, faces));
+      if (!folds_together(part, tree, context_)) {
+        const std::uint32_t cut = cut_of(part, tree);
+        if (cut == nothing) {
+          ++stuck;
+        } else {
+          set_fold(part, tree, cut, false);
+          for (const Faces& half : lay_out(part, tree).faces) {
+            Faces& next = open.emplace_back();
+            std::transform(half.begin(), half.end(), std::back_inserter(next),
+                           [&](std::uint32_t f) { return faces[f]; });
+          }
+        }
+      }
+      put_back(piece_, faces, tree, folds_);
+    }
+    return {std::move(folds_), stuck};
+  }
+
+ private:
+  /// A tree that folds together, or the given one.
+  Folds folding_tree(const Patch& part, const Folds& tree) {
+    ChangingNet net(part, tree, tolerance_);
+    const std::size_t panels = panel_count(part);
+    const bool fits = room_.holds(net.hull(), panels);
+    const auto cut_mm = [&](ChangingNet& changed) -> std::optional<double> {
+      if (fits && !room_.holds(changed.hull(), panels)) {
+        return std::nullopt;
+      }
+      double sum = 0.0;
+      for (std::size_t side = 0; side < part.length.size(); ++side) {
+        sum += changed.folds()[side] == 0 ? part.length[side] : 0.0;
+      }
+      return sum;
+    };
+    fold_freely(net, cut_mm, std::numeric_limits<double>::infinity(), random_.next(), context_);
+    return net.folds();
+  }
+
+  [[nodiscard]] std::uint32_t cut_of(const Patch& part, const Folds& tree) const {
+    RootedNet net(part);
+    net.set_tree(tree);
+    FoldingMeetings meetings(part);
+    meetings.count(net);
+    return best_cut(part, tree, meetings.pairs());
+  }
+
+  const Patch& piece_;
+  Folds folds_;
+  const Room& room_;
+  double tolerance_;
+  Random random_;
+  const Context& context_;
+};
+
+/// Gives each piece of a clean forest that doesn't fold up with all creases together (fold_order.hpp) a tree
+/// that does, whatever that costs in tabs; where none is found the fold goes that lies between the most pairs
+/// of faces that meet on the way, among equals the one that leaves the most balanced pieces, and both halves
+/// are looked at in the same way. Pieces that fit the room still do. At the deadline nothing is searched any
+/// more, but pieces are split all the same. A piece is one task; about 0.05 s for
+/// one of 80 faces that has to be split. Deterministic for one seed but for the deadline.
+LinearSplit split_to_fold_together(const Patch& patch, const Folds& folds, const Room& room, double tolerance,
+                                   std::uint64_t seed, const Context& context) {
+  std::vector<Faces> pieces = lay_out(patch, folds).faces;
+  std::vector<LinearSplit> splits(pieces.size());
+  do_in_parallel(pieces.size(), context, [&](std::size_t i, const Context& own) {
+    std::sort(pieces[i].begin(), pieces[i].end());
+    Random seeds(seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
+    const Patch piece = sub_patch(patch, pieces[i]);
+    splits[i] =
+        Splitting(piece, sub_folds(patch, folds, pieces[i]), room, tolerance, seeds.next(), own).run();
+  });
+  LinearSplit result{folds, 0};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    put_back(patch, pieces[i], splits[i].folds, result.folds);
+    result.stuck += splits[i].stuck;
+  }
+  return result;
+}
+
+}  // namespace
+
+LinearFolding fold_together(const Plan& plan, const Patch& patch, const Folds& folds, Causes causes,
+                            const Context& context) {
+  LinearSplit split =
+      split_to_fold_together(patch, folds, plan.room, net_tolerance(patch.extent), context.seed, context);
+  LinearFolding result{std::move(split.folds), std::move(causes)};
+  result.split_pieces = blame(patch, folds, result.folds, PieceReason::folding, result.causes);
+  return result;
+}
+
+void note_linear_folding(std::size_t split_pieces, Nets& nets) {
+  nets.notes.push_back((split_pieces == 0   ? std::string("no piece had to be")
+                        : split_pieces == 1 ? std::string("1 piece was")
+                                            : std::to_string(split_pieces) + " pieces were") +
+                       " split off so that all fold up with all creases together");
+  const auto others = std::count_if(nets.pieces.begin(), nets.pieces.end(), [](const Piece& piece) {
+    return piece.folding.way != FoldWay::together;
+  });
+  if (others > 0) {
+    nets.notes.push_back(std::to_string(others) + (others == 1 ? " piece doesn't" : " pieces don't") +
+                         " fold up with all creases together all the same: edges that were to be kept are in "
+                         "the way of splitting further");
+  }
+}
+
+namespace {
+
+std::string counted(std::size_t number, const char* one, const char* more) {
+  return std::to_string(number) + (number == 1 ? one : more);
+}
+
+}  // namespace
+
+bool wants_all_tabs(const Options& options) {
+  return options.tabs.wanted && options.tabs.split_pieces;
+}
+
+AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch, const Folds& folds,
+                      const Causes& causes, const Context& context) {
+  if (context.out_of_time()) {
+    return {folds, causes, 0, false};
+  }
+  // Nets as they will be returned: tabs go by the flat regions of the model.
+  const NetsOf nets_of = [&](const Folds& tried) {
+    Nets nets = nets_of_folds(asked.surface, asked.part, patch, tried, causes);
+    close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
+    give_tabs(asked.surface, asked.panels, asked.options, nets, context);
+    return nets;
+  };
+  TabSplit split = split_for_tabs(asked.surface, asked.panels, patch, folds, plan.room, asked.options.tabs,
+                                  nets_of, net_tolerance(patch.extent), context.seed, context);
+  AllTabs result{std::move(split.folds), causes, 0, !context.out_of_time()};
+  result.split_pieces = blame(patch, folds, result.folds, PieceReason::tabs, result.causes);
+  return result;
+}
+
+void note_all_tabs(const Asked& asked, const AllTabs& split, Nets& nets) {
+  const auto narrow = static_cast<std::size_t>(
+      std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; }));
+  const std::size_t usable = tabs_usable(asked.surface, nets, asked.options.tabs);
+  std::vector<std::string> facts;
+  facts.push_back((split.split_pieces == 0 ? std::string("no piece had to be")
+                                           : counted(split.split_pieces, " piece was", " pieces were")) +
+                  " split off for tabs");
+  if (narrow > 0) {
+    facts.push_back(counted(narrow, " edge is too short, or the faces behind it",
+                            " edges are too short, or the faces behind them") +
+                    " too narrow, for a tab that holds");
+  }
+  if (nets.joins.size() > usable + narrow) {
+    facts.push_back(counted(nets.joins.size() - usable - narrow, " edge has", " edges have") +
+                    (split.in_time ? " no room for a tab even so" : " no room for a tab yet"));
+  }
+  if (!split.in_time) {
+    facts.emplace_back("the time given was up before all ways to split were tried");
+  }
+  std::string note = std::move(facts.front());
+  for (std::size_t i = 1; i < facts.size(); ++i) {
+    note += "; " + facts[i];
+  }
+  nets.notes.push_back(std::move(note));
+}
+
+}  // namespace ridgecraft::unfold
