@@ -230,7 +230,6 @@ void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare
     report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
     report.features_removed += ready.features_removed;
     report.rulings_removed += ready.rulings_removed;
-    report.bevels_removed += ready.bevels_removed;
   }
 }
 

@@ -104,7 +104,6 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"evened_mm", rounded(report.evened_mm)},
                        {"features_removed", report.features_removed},
                        {"rulings_removed", report.rulings_removed},
-                       {"bevels_removed", report.bevels_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
                        {"tiny_edges_after", rounded(report.tiny_edges_after)},
@@ -136,11 +135,6 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   if (report.rulings_removed > 0) {
     summary.say(Line::simplified, "wider",
                 counted(report.rulings_removed, "fold") + " between narrow faces side by side left out");
-  }
-  if (report.bevels_removed > 0) {
-    summary.say(
-        Line::simplified, "sharpened",
-        counted(report.bevels_removed, "bevel") + " left out: the faces beside them meet in sharp edges");
   }
   if (report.features_removed > 0) {
     summary.say(Line::simplified, "left out",

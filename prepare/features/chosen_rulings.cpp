@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "base/vector.hpp"
 
@@ -255,8 +256,14 @@ class RulingChooser {
     return result;
   }
 
+  /// All lines where no face between those that were tried is good enough.
   [[nodiscard]] static std::vector<std::size_t> lines_to(const Best& best, std::size_t last) {
     std::vector<std::size_t> result{last};
+    if (best.cost[last] == never) {
+      result.resize(last + 1);
+      std::iota(result.begin(), result.end(), std::size_t{0});
+      return result;
+    }
     while (last > 0) {
       last = best.from[last];
       result.push_back(last);
@@ -285,7 +292,7 @@ class RulingChooser {
   [[nodiscard]] std::vector<std::size_t> along_mirrored(const Stretch& stretch) const {
     const Best best = best_to(stretch, (stretch.last + 1) / 2);
     double least = never;
-    std::size_t half = 0;
+    std::size_t half = stretch.last / 2;
     for (std::size_t i = 0; 2 * i <= stretch.last; ++i) {
       const double middle = 2 * i < stretch.last ? cost(stretch, i, stretch.last - i) : 0.0;
       if (is_less(2.0 * best.cost[i] + middle, least)) {

@@ -22,8 +22,7 @@ struct SimplifyReport {
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
   /// automatic: lines between narrow faces side by side that went, of arches, columns and rounded corners
   std::size_t rulings_removed = 0;
-  std::size_t bevels_removed = 0;  ///< automatic: narrow faces along edges of walls that went
-  std::size_t edges_turned = 0;    ///< automatic: behind faces too narrow to be folded
+  std::size_t edges_turned = 0;  ///< automatic: behind faces too narrow to be folded
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.

@@ -12,7 +12,6 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/features.hpp"
-#include "prepare/features/sharpen_bevels.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
@@ -51,12 +50,10 @@ constexpr double symmetric_within = 0.004;
 /// Below this, as a share of the extent, sides are equal but for a file's digits.
 constexpr double equal_sides = 1e-5;
 
-void take_over(mesh::Model& model, mesh::Model&& simplified) {
-  model.surface = std::move(simplified.surface);
-  model.polygon = std::move(simplified.polygon);
-  model.material = std::move(simplified.material);
-  model.object = std::move(simplified.object);
-  model.texture = {};
+double deviation_between(const mesh::Surface& after, const mesh::Surface& before, const Context& context) {
+  const double spacing_mm = sample_spacing * before.bounds().largest_extent();
+  return measured_distance(mesh::SurfaceTree(after, spacing_mm), mesh::SurfaceTree(before, spacing_mm),
+                           context);
 }
 
 /// How far the sides of a model were from being mirror images; 0 where no digit would tell.
@@ -73,15 +70,10 @@ bool has_few_faces(const SymmetricShare& body) {
   return body.face_count() <= few_faces * (1 + body.copies.size());
 }
 
-struct Allowed {
-  bool changed = false;     ///< anything at all
-  double largest_mm = 0.0;  ///< how far the surface might move
-};
-
 /// Each as it needs; and where they have too many faces together, those that have many get fewer, only larger
-/// walls stay, and in the end the surface may move farther.
-Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
-                        const SimplifyOptions& options, const Context& context) {
+/// walls stay, and in the end the surface may move farther. Returns whether anything changed.
+bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
+                     const SimplifyOptions& options, const Context& context) {
   const std::vector<SymmetricShare> before = bodies;
   bool changed = false;
   const auto simplify = [&](std::size_t i, std::size_t most_faces) {
@@ -121,100 +113,73 @@ Allowed simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& b
       }
     }
   }
-  return {changed, rules.largest_mm};
+  return changed;
 }
-
-/// What is done to whole bodies and walls before edges collapse.
-struct Beforehand {
-  bool features = true;
-  bool slats = true;
-
-  bool operator==(const Beforehand&) const = default;
-};
 
 /// What is too shallow to be folded; and where there are too many faces, what is busy and no higher than a
-/// fold should be long. Returns how many busy ones there are.
+/// fold should be long. Returns how many went.
 std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
-                            SimplifyReport& report, const Context& context) {
-  report.features_removed +=
-      trim_reliefs(model, options, {std::min(largest_mm, options.tiny_edge_mm)}, context);
-  if (model.surface.face_count() <= options.most_faces) {
-    return 0;
+                            const Context& context) {
+  std::size_t removed = trim_reliefs(model, options, {std::min(largest_mm, options.tiny_edge_mm)}, context);
+  if (model.surface.face_count() > options.most_faces) {
+    const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
+    removed += trim_reliefs(model, options, {height_mm, true}, context);
   }
-  const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
-  const std::size_t busy_ones = trim_reliefs(model, options, {height_mm, true}, context);
-  report.features_removed += busy_ones;
-  return busy_ones;
+  return removed;
 }
 
-/// How far the surface was allowed to move. `before`: the model's own, or what that was before it was thinned
-/// out.
-double simplify_components(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
-                           Beforehand beforehand, SimplifyReport& report, const Context& context) {
-  const bool thinned = before.face_count() != model.surface.face_count();
-  const double extent = before.bounds().largest_extent();
-  const double largest_mm = options.largest_deviation * extent;
-  report.deviation_mm = report.evened_mm = 0.0;
-  report.features_removed = beforehand.features ? remove_features(model, options, largest_mm) : 0;
+/// What is done to whole bodies and walls before edges collapse. Returns whether anything changed.
+bool remove_details(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
+                    SimplifyReport& report, const Context& context) {
+  report.features_removed = remove_features(model, options, largest_mm);
   if (report.features_removed > 0) {
     remesh_panels(model, context);
   }
-  const std::size_t busy_ones =
-      beforehand.features ? flatten_reliefs(model, options, largest_mm, report, context) : 0;
-  report.rulings_removed = beforehand.slats ? thin_rulings(model, options, largest_mm, context) : 0;
-  report.bevels_removed = beforehand.slats ? sharpen_bevels(model, options, largest_mm, context) : 0;
+  report.features_removed += flatten_reliefs(model, options, largest_mm, context);
+  report.rulings_removed = thin_rulings(model, options, largest_mm, context);
+  return report.features_removed + report.rulings_removed > 0;
+}
+
+/// Puts simplified faces in place of the model's surface; measures how far they are from the one before.
+void take_over(mesh::Model& model, mesh::LooseFaces&& faces, const mesh::Surface& before,
+               SimplifyReport& report, const Context& context) {
+  mesh::Model simplified;
+  mesh::put_together(simplified, std::move(faces));
+  remesh_panels(simplified, context);
+  report.deviation_mm = deviation_between(simplified.surface, before, context);
+  model.surface = std::move(simplified.surface);
+  model.polygon = std::move(simplified.polygon);
+  model.material = std::move(simplified.material);
+  model.object = std::move(simplified.object);
+  model.texture = {};
+}
+
+/// `before`: the model's own surface, or what that was before it was thinned out.
+void simplify_to_fold(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
+                      SimplifyReport& report, const Context& context) {
+  const bool thinned = before.face_count() != model.surface.face_count();
+  const double extent = before.bounds().largest_extent();
+  const double largest_mm = options.largest_deviation * extent;
+  const bool changed = remove_details(model, options, largest_mm, report, context);
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Walls walls =
       find_walls(model.surface, find_panels(model.surface), options.short_edge_mm, Slats::are_walls);
   SymmetricShare start = symmetric_share(model, symmetric_within, context);
   const double evened_mm = evened(start.deviation, model);
-  const BodyRules rules{all, &walls, sample_spacing * extent, options.largest_deviation * extent, 0};
+  const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, 0};
   std::vector<SymmetricShare> bodies = divided(start);
   start = {};  // large
-  Allowed allowed = simplify_bodies(model, bodies, rules, options, context);
-  if (busy_ones > 0) {
-    allowed.largest_mm = std::max(allowed.largest_mm, coarser.back().deviation * largest_mm);
-  }
+  const bool collapsed = simplify_bodies(model, bodies, rules, options, context);
   SymmetricShare share = joined(bodies);
   report.edges_turned = remove_splinters(share, options.splinter_mm);
-  const bool changed_before = report.features_removed + report.rulings_removed + report.bevels_removed > 0;
-  if (!allowed.changed && !changed_before && !thinned && report.edges_turned == 0) {
-    return allowed.largest_mm;
-  }
-  mesh::Model result;
-  mesh::put_together(result, whole(share, all));
-  remesh_panels(result, context);
-  report.deviation_mm = measured_distance(mesh::SurfaceTree(result.surface, rules.spacing_mm),
-                                          mesh::SurfaceTree(before, rules.spacing_mm), context);
-  report.evened_mm = evened_mm;
-  take_over(model, std::move(result));
-  return allowed.largest_mm;
-}
-
-/// `dense`: what it was before it was thinned out, if it was.
-void simplify_to_fold(mesh::Model& model, const std::optional<Dense>& dense, const SimplifyOptions& options,
-                      SimplifyReport& report, const Context& context) {
-  const mesh::Model kept = model;
-  const mesh::Surface& before = dense ? dense->before : kept.surface;
-  const double largest_mm = simplify_components(model, before, options, {}, report, context);
-  // What was simplified after the features may have moved the surface as far again: then what did so stays as
-  // it was.
-  const bool features = report.features_removed > 0;
-  const bool slats = report.rulings_removed + report.bevels_removed > 0;
-  Beforehand last{features, slats};
-  for (const bool with_slats : {slats, false}) {
-    const Beforehand next{false, with_slats};
-    if (report.deviation_mm > largest_mm && next != last) {
-      last = next;
-      model = kept;
-      simplify_components(model, before, options, next, report, context);
-    }
+  if (changed || thinned || collapsed || report.edges_turned > 0) {
+    report.evened_mm = evened_mm;
+    take_over(model, whole(share, all), before, report, context);
   }
 }
 
 void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
                        const Context& context) {
-  const double spacing = sample_spacing * model.surface.bounds().largest_extent();
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Panels panels = find_panels(model.surface);
@@ -232,12 +197,7 @@ void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
       break;
     }
   }
-  mesh::Model result;
-  mesh::put_together(result, whole(simplified, all));
-  remesh_panels(result, context);
-  take_over(model, std::move(result));
-  report.deviation_mm = measured_distance(mesh::SurfaceTree(model.surface, spacing),
-                                          mesh::SurfaceTree(before, spacing), context);
+  take_over(model, whole(simplified, all), before, report, context);
 }
 
 /// By collapses alone, which keep each hole and each body; where that leaves more faces than are asked for,
@@ -254,12 +214,10 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   automatic.most_faces = options.faces;
   mesh::Model other = kept;
   SimplifyReport of_other = report;
-  simplify_to_fold(other, {}, automatic, of_other, context);
+  simplify_to_fold(other, kept.surface, automatic, of_other, context);
   if (other.surface.face_count() > options.faces) {
     collapse_to_count(other, options, of_other, context);
-    const double spacing = sample_spacing * kept.surface.bounds().largest_extent();
-    of_other.deviation_mm = measured_distance(mesh::SurfaceTree(other.surface, spacing),
-                                              mesh::SurfaceTree(kept.surface, spacing), context);
+    of_other.deviation_mm = deviation_between(other.surface, kept.surface, context);
   }
   if (other.surface.face_count() < model.surface.face_count()) {
     model = std::move(other);
@@ -281,7 +239,8 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
       dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
                                                     model.surface.face_count() > options.most_faces)) {
-    simplify_to_fold(model, dense, options, report, context);
+    const mesh::Surface before = dense ? std::move(dense->before) : model.surface;
+    simplify_to_fold(model, before, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
