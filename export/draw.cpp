@@ -8,19 +8,15 @@
 
 #include "base/text.hpp"
 #include "export/export.hpp"
-#include "export/page/back_of_page.hpp"
 #include "export/page/furniture.hpp"
-#include "export/page/glue_spots.hpp"
-#include "export/page/list_pages.hpp"
-#include "export/page/neighbours.hpp"
-#include "export/page/number_list.hpp"
-#include "export/page/page_index.hpp"
+#include "export/page/glue_outlines.hpp"
+#include "export/page/list_rows.hpp"
+#include "export/page/lists.hpp"
 #include "export/page/piece_drawing.hpp"
-#include "export/page/tab_shadows.hpp"
-#include "export/page/text_placement.hpp"
+#include "export/page/texts.hpp"
 #include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
-#include "export/sheet/piece_kinds.hpp"
+#include "export/sheet/pieces.hpp"
 
 namespace ridgecraft::export_ {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pages of nets that have changed here and there: what lies well stays, and the rest finds room around it.
+// Where pieces lie when others lie already: layout around them, and the place nearest to where a piece is
+// held.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,8 @@
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::export_ {
+
+// Pages of nets that have changed here and there: what lies well stays, and the rest finds room around it.
 
 /// How firmly a piece lies where it lies, from the least on.
 enum class Hold : std::uint8_t {
@@ -50,5 +53,12 @@ struct NoPlace {
     const unfold::Nets& nets, const Paper& paper, const IdVector<PieceId, std::optional<KeptPlace>>& kept,
     const Context& context, const IdVector<PieceId, std::uint32_t>& sort = {},
     const IdVector<PieceId, Vec2>& fold_directions = {});
+
+/// The place nearest to where the piece is held, in steps of about a millimetre, where it lies on the sheet
+/// and keeps the paper's gap to all others, which lie as `pages` has them. It stays on its page, which may be
+/// one behind the last, and turned as it is. None within `reach_mm`. What belongs on a page together isn't
+/// heeded. O(n) and, for each place that is tried, the pairs of faces and tabs that may come near each other.
+[[nodiscard]] std::optional<Placement> nearest_place(const unfold::Nets& nets, const Pages& pages,
+                                                     PieceId piece, const Placement& held, double reach_mm);
 
 }  // namespace ridgecraft::export_

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "export/view/stance.hpp"
+#include "export/view/camera.hpp"
 
 namespace ridgecraft::job {
 namespace {

@@ -9,7 +9,7 @@
 namespace ridgecraft::job {
 
 /// The model's largest extent as a multiple of this one; the model stands on its foot with this axis upwards
-/// (export/view/stance.hpp). Throws Error(usage) where it has no such extent. O(faces).
+/// (export/view/camera.hpp). Throws Error(usage) where it has no such extent. O(faces).
 [[nodiscard]] double largest_share(const mesh::Model& model, ExtentKind kind, mesh::Axis up);
 
 }  // namespace ridgecraft::job

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "export/export.hpp"
-#include "export/sheet/fold_directions.hpp"
+#include "export/sheet/pages.hpp"
 #include "job/page_labels.hpp"
 
 namespace ridgecraft::job {

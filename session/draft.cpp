@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/elementary.hpp"
-#include "export/nearest_place.hpp"
+#include "export/layout_around.hpp"
 #include "job/page_layout.hpp"
 #include "job/unfold_options.hpp"
 #include "unfold/edits.hpp"

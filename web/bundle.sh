@@ -33,13 +33,14 @@ if [ "$kind" = studio ]; then
 else
   cat >"$out" <<END
 // Made by web/bundle.sh; changes here are lost.
-#include "export/formats/page_template.hpp"
+#include <string_view>
 
 // Compilers need not take literals of more than 65,536 characters; GCC and clang do.
 #pragma GCC diagnostic ignored "-Woverlength-strings"
 
 namespace ridgecraft::export_ {
 
+extern const std::string_view page_template;
 const std::string_view page_template = R"page($(cat "$work/page"))page";
 
 }  // namespace ridgecraft::export_

@@ -18,7 +18,7 @@
 #include "cli/files/request_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"
-#include "export/sheet/calibration.hpp"
+#include "export/sheet/drawing.hpp"
 #include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {

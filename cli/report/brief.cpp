@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
-#include "export/view/stance.hpp"
+#include "export/view/camera.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepared/seen_move.hpp"
 #include "prepare/selection/selection.hpp"

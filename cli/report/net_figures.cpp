@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "export/page/neighbours.hpp"
+#include "export/sheet/pieces.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 
 namespace ridgecraft::cli {

@@ -9,7 +9,6 @@
 
 #include "export/assembly/assembly.hpp"
 #include "export/machine/presets.hpp"
-#include "export/machine/spot_names.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/mark.hpp"
 #include "export/sheet/pages.hpp"

@@ -12,7 +12,7 @@
 #include "export/assembly/assembly.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/write.hpp"
-#include "export/view/stance.hpp"
+#include "export/view/camera.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

@@ -12,13 +12,18 @@
 #include "base/encodings.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "export/formats/page_template.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::export_ {
+
+/// The page of web/ as one text, made by web/bundle.sh when the program is built: HTML with `@MARK@`,
+/// `@SETTINGS@`, `@PRODUCER@`, `@TITLE@`, `@FOLD@` and `@SHEETS@` once each, in this order, where
+/// write_html() puts what belongs there.
+extern const std::string_view page_template;
+
 namespace {
 
 std::string hex(Color color) {

@@ -19,7 +19,6 @@
 #include "export/formats/pdf_file.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
-#include "export/machine/hatching.hpp"
 #include "export/machine/operations.hpp"
 
 namespace ridgecraft::export_ {

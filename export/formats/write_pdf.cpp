@@ -19,11 +19,11 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
-#include "export/formats/layer_order.hpp"
 #include "export/formats/pdf_file.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
+#include "export/style/line_style.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
-#include "export/formats/layer_order.hpp"
 #include "export/formats/write.hpp"
+#include "export/style/line_style.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

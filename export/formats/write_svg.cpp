@@ -19,7 +19,6 @@
 #include "base/encodings.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "export/formats/layer_order.hpp"
 #include "export/formats/net_frame.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"

@@ -14,8 +14,8 @@
 #include "base/text.hpp"
 #include "export/guide/words.hpp"
 #include "export/style/stroke_font.hpp"
-#include "export/view/coarse_view.hpp"
-#include "export/view/stance.hpp"
+#include "export/view/camera.hpp"
+#include "export/view/scene.hpp"
 #include "mesh/look/look.hpp"
 
 namespace ridgecraft::export_ {

@@ -77,4 +77,8 @@ struct Viewpoint {
 /// from below. Their words don't say what is its front: files don't, either.
 [[nodiscard]] const std::array<Viewpoint, 8>& guide_sides();
 
+/// Adds the piece with its tabs and folds to the group, as large as the frame allows, at its upper border.
+/// Where it lies. O(faces of the piece).
+Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, Group& group);
+
 }  // namespace ridgecraft::export_

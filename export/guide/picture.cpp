@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "base/geometry.hpp"
-#include "export/page/clip_to_box.hpp"
-#include "export/page/neighbours.hpp"
+#include "export/page/lines.hpp"
 #include "export/paint/cells.hpp"
-#include "export/paint/dot_raster.hpp"
+#include "export/paint/dot_picture.hpp"
 #include "export/paint/face_colours.hpp"
+#include "export/sheet/pieces.hpp"
 #include "export/view/scene.hpp"
 #include "export/view/view.hpp"
 

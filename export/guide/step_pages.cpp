@@ -12,12 +12,11 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "export/guide/net_picture.hpp"
-#include "export/guide/step_words.hpp"
+#include "export/guide/guide_model.hpp"
 #include "export/guide/words.hpp"
-#include "export/page/clip_to_box.hpp"
+#include "export/page/lines.hpp"
 #include "export/style/stroke_font.hpp"
-#include "export/view/coarse_view.hpp"
+#include "export/view/scene.hpp"
 #include "export/view/view.hpp"
 
 namespace ridgecraft::export_ {

@@ -13,7 +13,6 @@
 
 #include "base/boxes.hpp"
 #include "base/geometry.hpp"
-#include "export/machine/path_limits.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Room for the beam: a laser takes half of its kerf from either side of the line that it follows.
+// Room for the beam: a laser takes half of its kerf from either side of the line that it follows. And how
+// short what a machine does may be: rounding makes shorter paths and steps, and a laser burns holes there.
 #pragma once
 
 #include <vector>
@@ -7,6 +8,14 @@
 #include "base/vector.hpp"
 
 namespace ridgecraft::export_ {
+
+// How short what a machine does may be: rounding makes shorter paths and steps, and a laser burns holes
+// there.
+
+/// No path is shorter, mm.
+inline constexpr double shortest_path_mm = 0.2;
+/// No point of a path is nearer to the one before, mm.
+inline constexpr double nearest_points_mm = 0.05;
 
 /// What is cut of one piece, mm.
 struct CutPaths {

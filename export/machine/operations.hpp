@@ -1,15 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a machine does on a page, in order: nothing but lines, each once, none too short to be meant.
+// What a machine does on a page, in order: nothing but lines, each once, none too short to be meant. Folds
+// are cut in dashes or marked at their ends, outlines keep bridges, as the machine's rules say.
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
-#include "export/machine/bridges.hpp"
-#include "export/machine/scores.hpp"
+#include "base/vector.hpp"
 #include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::export_ {
+
+/// What a machine does at a fold.
+enum class Scores {
+  solid,      ///< the whole line, scored or creased
+  dashes,     ///< cut through in dashes of 2 mm, held by 1 mm of paper each; 5 and 2 mm in board
+  perforate,  ///< 3 mm cut, 0.8 mm paper
+  ends,       ///< nothing on the piece, but lines of 4 mm beside it that show where the fold begins and ends
+  none,
+};
+
+/// Lengths in mm.
+struct ScorePattern {
+  double cut = 2.0;
+  double bridge = 1.0;
+};
+
+/// The pattern of Scores that have one; board is thicker than 1 mm.
+[[nodiscard]] ScorePattern pattern_of(Scores scores, bool board);
+
+/// The dashes along a line, each as a line. It begins and ends with a bridge, as a dash that meets an outline
+/// or another fold begins a tear: no dash is nearer to an end than 0.8 bridges. The pattern is stretched to
+/// fit, dashes by a quarter at most. Where a dash and two bridges have no room, there is one dash in the
+/// middle with a bridge on either side, and none on lines shorter than three bridges. O(n).
+[[nodiscard]] std::vector<std::vector<Vec2>> dashes_along(const std::vector<Vec2>& line,
+                                                          const ScorePattern& pattern);
+
+/// Where outlines stay uncut, so that pieces don't fall out of the sheet.
+struct BridgeRules {
+  int count = 0;          ///< of one outline; 0: it is cut all round
+  double width_mm = 0.4;  ///< of each
+};
 
 /// In the order in which a sheet is worked: while it lies still and whole, what is written and folded; then
 /// what falls out; outlines last.
@@ -49,5 +81,9 @@ inline constexpr std::string_view registration_group = "registration";
 /// rounding makes them, where nets touch themselves, and a laser burns holes there. Names in letters that the
 /// alphabet of lines doesn't have are left out. O(n log n); Scores::ends O(folds * sides).
 [[nodiscard]] std::vector<Path> machine_paths(const Drawing& page, const PathRules& rules = {});
+
+/// Lines of 45 degrees, so many mm apart, as far as they lie in a simple polygon; each by its ends. Lines of
+/// all polygons of a page lie in one pattern. O(lines * corners).
+[[nodiscard]] std::vector<std::array<Vec2, 2>> hatching(const std::vector<Vec2>& polygon, double apart_mm);
 
 }  // namespace ridgecraft::export_

@@ -4,12 +4,23 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "export/machine/operations.hpp"
 #include "export/style/line_style.hpp"
 
 namespace ridgecraft::export_ {
+
+// Names of the inks that stand for what a packaging machine does.
+
+/// Letter case matters to the programs that drive cutters.
+struct SpotNames {
+  std::string cut = "CutContour";
+  std::string perforation = "PerfCutContour";
+  std::string crease = "Crease";
+  std::string glue = "Glue";
+};
 
 /// Which DXF.
 enum class DxfKind {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands at the foot of every page: the model's name, the page's number, the scale bar and the legend.
+// What stands at the foot of every page, and what is printed on its back: the model's name, the page's
+// number, the scale bar and the legend; numbers where these are wanted on the back.
 #pragma once
 
 #include <string_view>
 #include <vector>
 
+#include "export/page/piece_drawing.hpp"
 #include "export/sheet/drawing.hpp"
+#include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 
 namespace ridgecraft::export_ {
@@ -37,5 +40,11 @@ struct LineKinds {
 
 /// The words at the foot of a page's back: of which page it is.
 [[nodiscard]] Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count);
+
+/// Takes numbers, names and their leaders off the fronts of a page's pieces, but for what stands on tabs, and
+/// gives them as they are seen on the back of the sheet when it is turned over: each at the same place of the
+/// paper, and to be read from there.
+[[nodiscard]] std::vector<Group> take_to_back(std::vector<PieceDrawing>& pieces, Vec2 sheet,
+                                              TurnedOver turned_over);
 
 }  // namespace ridgecraft::export_

@@ -8,8 +8,7 @@
 #include <set>
 
 #include "base/geometry.hpp"
-#include "export/page/crumbs.hpp"
-#include "export/page/fold_lines.hpp"
+#include "export/page/lines.hpp"
 #include "unfold/net/outline.hpp"
 
 namespace ridgecraft::export_ {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "export/page/segment2.hpp"
+#include "export/page/lines.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
 

@@ -12,7 +12,7 @@
 #include "base/boxes.hpp"
 #include "base/elementary.hpp"
 #include "base/geometry.hpp"
-#include "export/page/segment2.hpp"
+#include "export/page/lines.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

@@ -11,8 +11,8 @@
 #include "base/parallel.hpp"
 #include "export/page/obstacles.hpp"
 #include "export/paint/cells.hpp"
+#include "export/paint/dot_picture.hpp"
 #include "export/paint/face_colours.hpp"
-#include "export/paint/picture_of_cells.hpp"
 
 namespace ridgecraft::export_ {
 namespace {

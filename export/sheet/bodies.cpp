@@ -2,14 +2,335 @@
 #include "export/sheet/bodies.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <utility>
 
+#include <boost/polygon/polygon.hpp>
+
+#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/geometry.hpp"
 #include "mesh/model/surface_distance.hpp"
 
 namespace ridgecraft::export_ {
+namespace {
+
+namespace planar = boost::polygon;
+using PlanarSet = planar::polygon_set_data<int>;
+using PlanarPoint = planar::point_data<int>;
+using PlanarPolygon = planar::polygon_with_holes_data<int>;
+
+/// Faces that lie on each other are parallel up to this (cosine of 3 degrees).
+constexpr double parallel_cosine = 0.9986;
+/// Smaller areas hold nothing, mm^2.
+constexpr double least_area = 4.0;
+/// Areas that meet at an edge of a face overlap by this, so that no crack stays between them, mm.
+constexpr double overlap_mm = 0.002;
+/// A body stands with its opening on a smaller one where this share of the opening lies there.
+constexpr double least_covered = 0.8;
+/// Corners of an outline that are no farther from its line are none, mm.
+constexpr double straight_mm = 0.02;
+/// Units of the whole-number plane for one mm.
+constexpr double units_per_mm = 1000.0;
+
+/// From space to the plane of a face's piece, and the height over the face.
+struct Laid {
+  Laid(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face) {
+    const auto [a, b, c] = surface.vertices(face);
+    origin = surface.point(a);
+    x = normalized(surface.point(b) - origin);
+    z = surface.normal(face);
+    y = cross(z, x);
+    const auto& flat = nets.flat[face];
+    at = flat[0];
+    const Vec2 d = flat[1] - flat[0];
+    along = d / length(d);
+  }
+
+  /// x and y in the plane of the piece, z over the face.
+  [[nodiscard]] Vec3 operator()(Vec3 p) const {
+    const Vec3 d = p - origin;
+    const Vec2 q = at + dot(d, x) * along + dot(d, y) * perpendicular(along);
+    return {q.x, q.y, dot(d, z)};
+  }
+
+  Vec3 origin, x, y, z;
+  Vec2 at, along;
+};
+
+/// A convex polygon, counterclockwise, with its sides moved outwards.
+std::vector<Vec2> grown(const std::vector<Vec2>& polygon, double by) {
+  std::vector<Vec2> corners;
+  for (const Vec2 p : polygon) {
+    if (corners.empty() || length(p - corners.back()) > by) {
+      corners.push_back(p);
+    }
+  }
+  while (corners.size() > 1 && length(corners.back() - corners.front()) <= by) {
+    corners.pop_back();
+  }
+  std::vector<Vec2> result;
+  for (std::size_t i = 0; corners.size() > 2 && i < corners.size(); ++i) {
+    const Vec2 before = corners[i] - corners[(i + corners.size() - 1) % corners.size()];
+    const Vec2 after = corners[(i + 1) % corners.size()] - corners[i];
+    for (const Vec2 side : {before, after}) {
+      result.push_back(corners[i] - by * perpendicular(side) / length(side));
+    }
+  }
+  return result;
+}
+
+/// What may lie on a face of another body: a face, or a part of an opening.
+struct Lying {
+  std::array<Vec3, 3> corners;
+  Vec3 normal;
+  FaceId face;  ///< itself, or one beside the opening
+  std::uint32_t opening = none;
+  bool is_hole = false;  ///< the opening is one in a flat face of its body, which doesn't stand on it
+
+  static constexpr std::uint32_t none = ~0U;
+  [[nodiscard]] double area() const {
+    return 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  }
+};
+
+/// The part of it that lies on a face, in the plane of that face's piece.
+std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face,
+                              const Lying& on_it) {
+  const Laid laid(surface, nets, face);
+  std::vector<Vec3> polygon;
+  for (const Vec3 p : on_it.corners) {
+    polygon.push_back(laid(p));
+  }
+  polygon = part_where(polygon, [](Vec3 p) { return contact_mm - p.z; });
+  polygon = part_where(polygon, [](Vec3 p) { return contact_mm + p.z; });
+  const auto& flat = nets.flat[face];
+  for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
+    const Vec2 from = flat[k];
+    const Vec2 side = flat[(k + 1) % 3] - from;
+    polygon = part_where(polygon, [&](Vec3 p) { return cross(side, Vec2{p.x, p.y} - from); });
+  }
+  std::vector<Vec2> area;
+  area.reserve(polygon.size());
+  for (const Vec3 p : polygon) {
+    area.push_back({p.x, p.y});
+  }
+  if (doubled_area(area) < 0.0) {
+    std::ranges::reverse(area);
+  }
+  return area;
+}
+
+PlanarPoint rounded(Vec2 p) {
+  return {static_cast<int>(std::lround(p.x * units_per_mm)),
+          static_cast<int>(std::lround(p.y * units_per_mm))};
+}
+
+/// Without corners that lie on the line between others.
+std::vector<Vec2> straightened(const std::vector<Vec2>& outline) {
+  std::vector<Vec2> kept = outline;
+  for (bool changed = true; changed && kept.size() > 3;) {
+    changed = false;
+    for (std::size_t i = 0; i < kept.size() && kept.size() > 3; ++i) {
+      const Vec2 before = kept[(i + kept.size() - 1) % kept.size()];
+      const Vec2 d = kept[(i + 1) % kept.size()] - before;
+      const double size = length(d);
+      const double away = size > 0.0 ? std::abs(cross(d, kept[i] - before)) / size : length(kept[i] - before);
+      if (away < straight_mm / 2.0) {
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(i));
+        changed = true;
+      }
+    }
+  }
+  return kept;
+}
+
+template <class Ring>
+std::vector<Vec2> points_of(const Ring& ring) {
+  std::vector<Vec2> points;
+  for (auto p = ring.begin(); p != ring.end(); ++p) {
+    const Vec2 at{p->x() / units_per_mm, p->y() / units_per_mm};
+    if (points.empty() || at != points.back()) {
+      points.push_back(at);
+    }
+  }
+  if (points.size() > 1 && points.front() == points.back()) {
+    points.pop_back();
+  }
+  return straightened(points);
+}
+
+/// The outlines of areas that lie beside and over each other.
+std::vector<std::vector<Vec2>> outlines_of(const std::vector<std::vector<Vec2>>& areas) {
+  PlanarSet sum;
+  for (const std::vector<Vec2>& area : areas) {
+    std::vector<PlanarPoint> corners;
+    for (const Vec2 p : grown(area, overlap_mm)) {
+      corners.push_back(rounded(p));
+    }
+    if (corners.size() > 2) {
+      planar::polygon_data<int> polygon;
+      polygon.set(corners.begin(), corners.end());
+      sum.insert(polygon);
+    }
+  }
+  std::vector<PlanarPolygon> polygons;
+  sum.get(polygons);
+  std::vector<std::vector<Vec2>> outlines;
+  const auto add = [&](std::vector<Vec2> outline, bool hole) {
+    const double doubled = doubled_area(outline);
+    if (outline.size() > 2 && std::abs(doubled) > (hole ? 1.0 : least_area)) {
+      if ((doubled > 0.0) == hole) {
+        std::ranges::reverse(outline);
+      }
+      outlines.push_back(std::move(outline));
+    }
+    return std::abs(doubled) > least_area;
+  };
+  for (const PlanarPolygon& polygon : polygons) {
+    if (add(points_of(polygon), false)) {
+      for (auto hole = polygon.begin_holes(); hole != polygon.end_holes(); ++hole) {
+        add(points_of(*hole), true);
+      }
+    }
+  }
+  return outlines;
+}
+
+/// Whether the faces beside an opening go on in its plane for the most part.
+bool is_hole(const mesh::Surface& surface, const mesh::Opening& opening) {
+  double flat = 0.0;
+  double whole = 0.0;
+  for (const CornerId side : opening.sides) {
+    const double size = surface.length(surface.edge(side));
+    whole += size;
+    flat += mesh::rises_at(surface, opening, side) ? 0.0 : size;
+  }
+  return flat > 0.5 * whole;
+}
+
+/// All faces, each at its place, then what openings are made of.
+std::vector<Lying> all_lying(const mesh::Surface& surface) {
+  std::vector<Lying> all;
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(face);
+    all.push_back({{surface.point(a), surface.point(b), surface.point(c)}, surface.normal(face), face});
+  }
+  std::uint32_t number = 0;
+  for (const mesh::Opening& opening : mesh::flat_openings(surface, contact_mm)) {
+    const std::vector<std::array<Vec3, 3>> triangles = mesh::triangles_of(surface, opening);
+    const bool hole = is_hole(surface, opening);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const CornerId side = opening.sides[std::min(i, opening.sides.size() - 1)];
+      all.push_back({triangles[i], opening.normal, mesh::face_of(side), number, hole});
+    }
+    ++number;
+  }
+  return all;
+}
+
+/// Their boxes, grown so that those touch that do.
+NearBoxes boxes_of(const std::vector<Lying>& all) {
+  std::vector<Box3> boxes;
+  for (const Lying& one : all) {
+    Box3 box;
+    const Vec3 reach{contact_mm, contact_mm, contact_mm};
+    for (const Vec3 p : one.corners) {
+      box.add(p - 0.5 * reach);
+      box.add(p + 0.5 * reach);
+    }
+    boxes.push_back(box);
+  }
+  return NearBoxes(boxes);
+}
+
+/// By the piece that lies below and the one above: which two lie on each other, and where.
+using CommonAreas = std::map<std::pair<PieceId, PieceId>,
+                             std::vector<std::pair<std::array<std::uint32_t, 2>, std::vector<Vec2>>>>;
+
+/// A body with an opening stands on a smaller one only if the opening lies there for the most part: else a
+/// tower would be glued onto the target that leans against it.
+void drop_openings_beyond(const mesh::Surface& surface, const std::vector<Lying>& all,
+                          const std::vector<double>& area, CommonAreas& areas) {
+  const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
+  std::map<std::uint32_t, double> whole;  // of each opening
+  for (const Lying& one : all) {
+    if (one.opening != Lying::none) {
+      whole[one.opening] += one.area();
+    }
+  }
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> covered;  // of an opening by a body
+  for (const auto& [pieces, list] : areas) {
+    for (const auto& [two, polygon] : list) {
+      if (all[two[1]].opening != Lying::none) {
+        covered[{all[two[1]].opening, body(two[0])}] += 0.5 * doubled_area(polygon);
+      }
+    }
+  }
+  for (auto& [pieces, list] : areas) {
+    std::erase_if(list, [&](const auto& entry) {
+      const auto [below, above] = entry.first;
+      const std::uint32_t opening = all[above].opening;
+      return opening != Lying::none && area[body(below)] < area[body(above)] &&
+             (all[above].is_hole || covered[{opening, body(below)}] < least_covered * whole[opening]);
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets) {
+  if (surface.component_count() < 2) {
+    return {};
+  }
+  std::vector<double> area(surface.component_count(), 0.0);
+  for (const FaceId face : ids<FaceId>(surface.face_count())) {
+    area[surface.component(face).value()] += surface.area(face);
+  }
+  CommonAreas areas;
+  const std::vector<Lying> all = all_lying(surface);
+  const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
+  boxes_of(all).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    std::uint32_t below = i;
+    std::uint32_t above = j;
+    if (body(below) == body(above) ||
+        !(std::abs(dot(all[below].normal, all[above].normal)) >= parallel_cosine)) {
+      return;
+    }
+    const auto is_opening = [&](std::uint32_t one) { return all[one].opening != Lying::none; };
+    if (is_opening(below) && is_opening(above)) {
+      return;
+    }
+    // Nothing is glued onto an opening, and else the smaller body onto the larger one.
+    if (is_opening(below) || (!is_opening(above) && std::pair(area[body(below)], body(above)) <
+                                                        std::pair(area[body(above)], body(below)))) {
+      std::swap(below, above);
+    }
+    const FaceId face(below);
+    if (std::vector<Vec2> common = common_area(surface, nets, face, all[above]); common.size() > 2) {
+      areas[{nets.piece[face], nets.piece[all[above].face]}].emplace_back(std::array{below, above},
+                                                                          std::move(common));
+    }
+  });
+  drop_openings_beyond(surface, all, area, areas);
+  std::vector<Contact> contacts;
+  for (auto& [pieces, list] : areas) {
+    std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
+    std::vector<std::vector<Vec2>> polygons;
+    polygons.reserve(list.size());
+    for (auto& [faces, polygon] : list) {
+      polygons.push_back(std::move(polygon));
+    }
+    if (auto outlines = outlines_of(polygons); !outlines.empty()) {
+      contacts.push_back({pieces.first, pieces.second, std::move(outlines)});
+    }
+  }
+  return contacts;
+}
+
 namespace {
 
 using mesh::Surface;

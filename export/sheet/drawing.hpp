@@ -141,4 +141,9 @@ struct Drawing {
 [[nodiscard]] bool has_layer(const Group& group, Layer layer);
 [[nodiscard]] bool has_layer(const Drawing& page, Layer layer);
 
+/// The page as it has to be drawn for a machine on which 100 mm come out as `measured` mm (x across the
+/// sheet, y up): places on both sides shrink and grow about the sheet's middle, and come out where they were
+/// meant. The sizes of letters and the widths of lines stay.
+[[nodiscard]] Drawing calibrated(Drawing page, Vec2 measured);
+
 }  // namespace ridgecraft::export_

@@ -13,10 +13,11 @@
 #include "base/id.hpp"
 #include "base/vector.hpp"
 #include "export/sheet/bodies.hpp"
-#include "export/sheet/contacts.hpp"
 #include "export/sheet/paper.hpp"
-#include "export/sheet/piece_kinds.hpp"
+#include "export/sheet/pieces.hpp"
+#include "mesh/model/surface.hpp"
 #include "prepare/prepared/options.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::export_ {
 
@@ -63,7 +64,7 @@ struct Style {
   double dots_per_inch = 300.0;  ///< of pictures; areas of one colour have no dots
 };
 
-/// Pictures of pieces, for drawing again (export/paint/drawn_pictures.hpp).
+/// Pictures of pieces, for drawing again (export/paint/paint.hpp).
 class DrawnPictures;
 
 /// What is drawn, beside the pages themselves.
@@ -91,5 +92,21 @@ struct DrawReport {
   IdVector<PieceId, std::string> objects;  ///< of each piece, as find_piece_objects()
   std::shared_ptr<const DrawnPictures> pictures;  ///< for drawing again; none of a model without colours
 };
+
+/// Of each piece the direction that its folds have most in common, on its net: the axis of the mean of their
+/// doubled angles, each by its length times its fold angle. A unit vector, of either sense; zero where no
+/// direction is before others. O(edges).
+[[nodiscard]] IdVector<PieceId, Vec2> fold_directions(const mesh::Surface& surface, const unfold::Nets& nets);
+
+/// Pieces whose folds don't run along the grain of their sheet, within 15 degrees: those that fit it no other
+/// way. None where the paper's grain isn't to be heeded. O(pieces).
+[[nodiscard]] std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
+                                                    const Pages& pages);
+
+/// How far from the grain's direction folds may run, degrees: it still bends them, and the packer has a
+/// choice.
+inline constexpr double grain_tolerance_degrees = 15.0;
+/// Which way the grain runs on a sheet. A unit vector.
+[[nodiscard]] Vec2 grain_direction(const Paper& paper);
 
 }  // namespace ridgecraft::export_

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How each class of line looks: one table for all formats.
+// How each class of line looks and in which order a page is painted: one table for all formats.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,6 +10,16 @@
 #include "export/sheet/drawing.hpp"
 
 namespace ridgecraft::export_ {
+
+// In which order a page is painted.
+
+/// Bottom to top, which is the order of work, too, as some machines follow the file: what is printed, what is
+/// written, what is folded, what is cut.
+inline constexpr std::array<Layer, layer_count> layer_order{
+    Layer::paint,      Layer::tab_fill, Layer::shadow, Layer::glue,     Layer::mark, Layer::label,
+    Layer::piece_name, Layer::mountain, Layer::valley, Layer::tab_fold, Layer::cut};
+
+// How each class of line looks: one table for all formats.
 
 /// What a line looks like in every format that prints.
 struct LineStyle {

@@ -8,13 +8,202 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/elementary.hpp"
 #include "base/text.hpp"
-#include "export/style/glyph_table.hpp"
 
 namespace ridgecraft::export_ {
 namespace {
+
+// The shapes of the stroke font: one line of pen movements for each letter.
+
+/// Capitals are 10 units high and begin at x = 0; the baseline is y = 0. A path is a list of
+///   M x y               lift the pen and go to
+///   L x y               draw a line to
+///   A cx cy rx ry a b   draw along an ellipse from angle a to b (degrees, counterclockwise), first a line to
+///   its
+///                       start if the pen is down
+/// Every stroke begins with M or, where the pen is up (at the start and after /), with A.
+struct Glyph {
+  char32_t code;
+  std::string_view path;
+};
+
+/// A letter with an accent as its base letter and the accent's own glyph; {code, 0} for any other character.
+struct Composed {
+  char32_t base;
+  char32_t accent;
+};
+
+constexpr Glyph glyphs[] = {
+    // Ascending by code, for the binary search.
+    {U' ', ""},
+    {U'!', "M 0.6 10 L 0.6 3.4 / M 0.6 0.2 L 0.6 0"},
+    {U'"', "M 0 10 L 0 7 / M 2 10 L 2 7"},
+    {U'#', "M 2.6 9.4 L 1.2 0.6 / M 5.8 9.4 L 4.4 0.6 / M 0.4 6.6 L 6.8 6.6 / M 0 3.4 L 6.4 3.4"},
+    {U'$', "A 2.8 7 2.6 2 35 270 A 2.8 3 2.8 2 90 -145 / M 2.8 10.4 L 2.8 -0.4"},
+    {U'%', "A 1.5 8 1.5 2 0 360 / A 6.3 2 1.5 2 0 360 / M 6.6 10 L 1.2 0"},
+    {U'&',
+     "M 6.6 0 L 1.9 6.1 A 3.2 7.9 1.8 2.1 215 -35 L 1.4 5 A 2.5 2.6 2.5 2.6 120 300 A 3.4 4.4 3.2 4.4 285 "
+     "360"},
+    {U'\'', "M 0 10 L 0 7"},
+    {U'(', "A 4.6 4.2 4.6 7 130 230"},
+    {U')', "A -2.9 4.2 4.6 7 50 -50"},
+    {U'*', "M 2 9.8 L 2 5.4 / M 0 8.7 L 4 6.5 / M 0 6.5 L 4 8.7"},
+    {U'+', "M 0 4.2 L 5.4 4.2 / M 2.7 6.9 L 2.7 1.5"},
+    {U',', "M 0.8 0.5 L 0 -2"},
+    {U'-', "M 0 4.2 L 3.2 4.2"},
+    {U'.', "A 0.4 0.4 0.4 0.4 0 360"},
+    {U'/', "M 0 -1 L 4 10.6"},
+    {U'0', "A 3 5 3 5 90 450"},
+    {U'1', "M 0 7.6 L 2.7 10 L 2.7 0"},
+    {U'2', "A 3 7.05 2.95 2.95 160 -38 L 0 0 L 6 0"},
+    {U'3', "A 2.7 7.55 2.55 2.45 155 -90 A 2.7 2.55 3 2.55 90 -155"},
+    {U'4', "M 4.5 0 L 4.5 10 L 0 3 L 6.2 3"},
+    {U'5', "M 5.3 10 L 1.1 10 L 0.7 5.5 A 2.8 3.2 3.1 3.2 132 -150"},
+    {U'6', "A 5.2 3.2 5.2 6.8 97 180 A 3 3.2 3 3.2 180 540"},
+    {U'7', "M 0 10 L 6 10 L 2 0"},
+    {U'8', "A 3 7.55 2.6 2.45 270 -90 A 3 2.55 3 2.55 90 450"},
+    {U'9', "A 0.8 6.8 5.2 6.8 -83 0 A 3 6.8 3 3.2 0 360"},
+    {U':', "M 0 5.4 L 0 5.2 / M 0 0.2 L 0 0"},
+    {U';', "M 0.8 5.4 L 0.8 5.2 / M 0.8 0.5 L 0 -2"},
+    {U'<', "M 5 7.2 L 0 4.2 L 5 1.2"},
+    {U'=', "M 0 5.6 L 5.4 5.6 / M 0 2.8 L 5.4 2.8"},
+    {U'>', "M 0 7.2 L 5 4.2 L 0 1.2"},
+    {U'?', "A 2.4 7.6 2.4 2.4 165 -45 L 2.4 4.2 L 2.4 3.2 / M 2.4 0.2 L 2.4 0"},
+    {U'@', "A 4 3.8 1.8 2.2 0 360 / M 5.8 6 L 5.8 2.8 A 7 2.8 1.2 1.4 180 360 L 8.2 4 A 4.1 4 4.1 5 0 300"},
+    {U'A', "M 0 0 L 3.4 10 L 6.8 0 / M 1.16 3.4 L 5.64 3.4"},
+    {U'B',
+     "M 0 5.3 L 0 10 L 3.1 10 A 3.1 7.65 2.35 2.35 90 -90 L 0 5.3 L 0 0 L 3.4 0 A 3.4 2.65 2.65 2.65 -90 90"},
+    {U'C', "A 3.8 5 3.8 5 48 312"},
+    {U'D', "M 0 0 L 0 10 L 2.6 10 A 2.6 5 3.9 5 90 -90 L 0 0"},
+    {U'E', "M 5.3 10 L 0 10 L 0 0 L 5.3 0 / M 0 5.2 L 4.5 5.2"},
+    {U'F', "M 5.3 10 L 0 10 L 0 0 / M 0 5.2 L 4.5 5.2"},
+    {U'G', "A 3.8 5 3.8 5 48 330 L 7.1 4.6 L 4.1 4.6"},
+    {U'H', "M 0 0 L 0 10 / M 6.3 0 L 6.3 10 / M 0 5.2 L 6.3 5.2"},
+    {U'I', "M 0 0 L 3 0 / M 0 10 L 3 10 / M 1.5 0 L 1.5 10"},
+    {U'J', "M 4.3 10 L 4.3 2.4 A 2.15 2.4 2.15 2.4 0 -165"},
+    {U'K', "M 0 0 L 0 10 / M 5.8 10 L 0 4 / M 2.1 6.17 L 6.2 0"},
+    {U'L', "M 0 10 L 0 0 L 5.1 0"},
+    {U'M', "M 0 0 L 0 10 L 3.8 2.6 L 7.6 10 L 7.6 0"},
+    {U'N', "M 0 0 L 0 10 L 6.3 0 L 6.3 10"},
+    {U'O', "A 3.9 5 3.9 5 90 450"},
+    {U'P', "M 0 0 L 0 10 L 3.2 10 A 3.2 7.3 2.7 2.7 90 -90 L 0 4.6"},
+    {U'Q', "A 3.9 5 3.9 5 90 450 / M 4.8 2.4 L 7.6 -0.8"},
+    {U'R', "M 0 0 L 0 10 L 3.2 10 A 3.2 7.3 2.7 2.7 90 -90 L 0 4.6 / M 3.1 4.6 L 6.1 0"},
+    {U'S', "A 3.1 7.5 2.7 2.5 35 270 A 3.1 2.5 3 2.5 90 -147"},
+    {U'T', "M 0 10 L 6.4 10 / M 3.2 10 L 3.2 0"},
+    {U'U', "M 0 10 L 0 3.1 A 3.1 3.1 3.1 3.1 180 360 L 6.2 10"},
+    {U'V', "M 0 10 L 3.3 0 L 6.6 10"},
+    {U'W', "M 0 10 L 2.4 0 L 4.8 9.2 L 7.2 0 L 9.6 10"},
+    {U'X', "M 0 10 L 6.2 0 / M 6.2 10 L 0 0"},
+    {U'Y', "M 0 10 L 3.2 4.8 L 6.4 10 / M 3.2 4.8 L 3.2 0"},
+    {U'Z', "M 0 10 L 6 10 L 0 0 L 6 0"},
+    {U'[', "M 1.8 11 L 0 11 L 0 -2.6 L 1.8 -2.6"},
+    {U'\\', "M 0 10.6 L 4 -1"},
+    {U']', "M 0 11 L 1.8 11 L 1.8 -2.6 L 0 -2.6"},
+    {U'^', "M 0 7 L 2.2 10 L 4.4 7"},
+    {U'_', "M 0 -1.4 L 5.4 -1.4"},
+    {U'`', "M 0 10 L 1.4 8.4"},
+    {U'a', "A 2.6 3.4 2.6 3.4 0 360 / M 5.2 6.8 L 5.2 0"},
+    {U'b', "M 0 10 L 0 0 / A 2.6 3.4 2.6 3.4 180 540"},
+    {U'c', "A 2.7 3.4 2.7 3.4 50 310"},
+    {U'd', "A 2.6 3.4 2.6 3.4 0 360 / M 5.2 10 L 5.2 0"},
+    {U'e', "M 0 3.5 L 5.3 3.5 A 2.65 3.4 2.65 3.4 0 312"},
+    {U'f', "A 3.5 8 2 2 60 180 L 1.5 0 / M 0 6.8 L 3.9 6.8"},
+    {U'g', "A 2.6 3.4 2.6 3.4 0 360 / M 5.2 6.8 L 5.2 -0.6 A 2.6 -0.6 2.6 2.4 0 -150"},
+    {U'h', "M 0 10 L 0 0 / A 2.4 4.4 2.4 2.4 180 0 L 4.8 0"},
+    {U'i', "M 0 6.8 L 0 0 / M 0 9.5 L 0 9.3"},
+    {U'j', "M 1.6 6.8 L 1.6 -1 A 0 -1 1.6 2 0 -75 / M 1.6 9.5 L 1.6 9.3"},
+    {U'k', "M 0 10 L 0 0 / M 4.4 6.8 L 0 2.6 / M 1.6 4.13 L 4.7 0"},
+    {U'l', "M 0 10 L 0 1.6 A 1.6 1.6 1.6 1.6 180 275"},
+    {U'm', "M 0 6.8 L 0 0 / A 2 4.7 2 2.1 180 0 L 4 0 / A 6 4.7 2 2.1 180 0 L 8 0"},
+    {U'n', "M 0 6.8 L 0 0 / A 2.4 4.4 2.4 2.4 180 0 L 4.8 0"},
+    {U'o', "A 2.7 3.4 2.7 3.4 90 450"},
+    {U'p', "M 0 6.8 L 0 -3 / A 2.6 3.4 2.6 3.4 180 540"},
+    {U'q', "A 2.6 3.4 2.6 3.4 0 360 / M 5.2 6.8 L 5.2 -3"},
+    {U'r', "M 0 6.8 L 0 0 / A 2.6 4.2 2.6 2.6 180 65"},
+    {U's', "A 2.3 5.1 2 1.7 35 270 A 2.3 1.7 2.2 1.7 90 -147"},
+    {U't', "M 1.5 9.2 L 1.5 1.7 A 3.2 1.7 1.7 1.7 180 285 / M 0 6.8 L 3.8 6.8"},
+    {U'u', "M 0 6.8 L 0 2.4 A 2.4 2.4 2.4 2.4 180 360 / M 4.8 6.8 L 4.8 0"},
+    {U'v', "M 0 6.8 L 2.6 0 L 5.2 6.8"},
+    {U'w', "M 0 6.8 L 1.9 0 L 3.8 6.2 L 5.7 0 L 7.6 6.8"},
+    {U'x', "M 0 6.8 L 4.8 0 / M 4.8 6.8 L 0 0"},
+    {U'y', "M 0 6.8 L 2.6 0 / M 5.2 6.8 L 1.45 -3"},
+    {U'z', "M 0 6.8 L 4.8 6.8 L 0 0 L 4.8 0"},
+    {U'{', "M 2.4 11 A 2.4 9.6 1.4 1.4 90 180 L 1 5.4 L 0 4.2 L 1 3 L 1 -1.2 A 2.4 -1.2 1.4 1.4 180 270"},
+    {U'|', "M 0 11 L 0 -2.6"},
+    {U'}', "M 0 11 A 0 9.6 1.4 1.4 90 0 L 1.4 5.4 L 2.4 4.2 L 1.4 3 L 1.4 -1.2 A 0 -1.2 1.4 1.4 0 -90"},
+    {U'~', "A 1.4 3.9 1.4 1.1 160 20 A 4.1 4.5 1.4 1.1 200 340"},
+    {0xA0, ""},
+    {0xA8, "M 0 9.3 L 0 9.1 / M 2.4 9.3 L 2.4 9.1"},
+    {0xAF, "M 0 9 L 2.6 9"},
+    {0xB0, "A 1.5 8.5 1.5 1.5 0 360"},
+    {0xB2, "A 1.5 8.5 1.5 1.5 160 -38 L 0 5 L 3 5"},
+    {0xB4, "M 1.4 10 L 0 8.4"},
+    {0xB7, "M 0 4.3 L 0 4.1"},
+    {0xB8, "M 0.9 0 L 0.9 -0.7 A 0.9 -1.7 1 1 90 -140"},
+    {0xC6, "M 0 0 L 4.6 10 L 9 10 / M 4.6 10 L 4.6 0 L 9 0 / M 4.6 5.2 L 8.4 5.2 / M 1.5 3.4 L 4.6 3.4"},
+    {0xD7, "M 0 6.4 L 4.4 2 / M 4.4 6.4 L 0 2"},
+    {0xD8, "A 3.9 5 3.9 5 90 450 / M 7.2 10.4 L 0.6 -0.4"},
+    {0xDF, "M 0 0 L 0 7.6 A 2.4 7.6 2.4 2.4 180 0 L 2.6 5.6 A 2.6 2.8 2.6 2.8 90 -110"},
+    {0xE6, "A 2.6 3.4 2.6 3.4 0 360 / M 5.2 3.5 L 9.8 3.5 A 7.5 3.4 2.3 3.4 0 312 / M 5.2 6.8 L 5.2 0"},
+    {0xF8, "A 2.7 3.4 2.7 3.4 90 450 / M 5.2 7.4 L 0.2 -0.6"},
+    {0x131, "M 0 6.8 L 0 0"},
+    {0x2C6, "M 0 8.5 L 1.4 10 L 2.8 8.5"},
+    {0x2C7, "M 0 10 L 1.4 8.5 L 2.8 10"},
+    {0x2DA, "A 1 9.4 1 1 0 360"},
+    {0x2DC, "A 0.7 8.9 0.7 0.6 160 20 A 2.1 9.2 0.7 0.6 200 340"},
+    {0x2013, "M 0 4.2 L 5 4.2"},
+    {0x2014, "M 0 4.2 L 8 4.2"},
+    {0x2018, "M 0.8 10 L 0 7.6"},
+    {0x2019, "M 0.8 10 L 0 7.6"},
+    {0x2026, "M 0 0.2 L 0 0 / M 2.6 0.2 L 2.6 0 / M 5.2 0.2 L 5.2 0"},
+};
+
+struct Accented {
+  char32_t code;
+  char32_t base;
+  char32_t accent;
+};
+
+constexpr char32_t grave = U'`', acute = 0xB4, hat = 0x2C6, tilde = 0x2DC, dots = 0xA8, ring = 0x2DA,
+                   cedilla = 0xB8, caron = 0x2C7, dotless_i = 0x131;
+
+constexpr Accented accented[] = {
+    {0xC0, U'A', grave},     {0xC1, U'A', acute},      {0xC2, U'A', hat},        {0xC3, U'A', tilde},
+    {0xC4, U'A', dots},      {0xC5, U'A', ring},       {0xC7, U'C', cedilla},    {0xC8, U'E', grave},
+    {0xC9, U'E', acute},     {0xCA, U'E', hat},        {0xCB, U'E', dots},       {0xCC, U'I', grave},
+    {0xCD, U'I', acute},     {0xCE, U'I', hat},        {0xCF, U'I', dots},       {0xD1, U'N', tilde},
+    {0xD2, U'O', grave},     {0xD3, U'O', acute},      {0xD4, U'O', hat},        {0xD5, U'O', tilde},
+    {0xD6, U'O', dots},      {0xD9, U'U', grave},      {0xDA, U'U', acute},      {0xDB, U'U', hat},
+    {0xDC, U'U', dots},      {0xDD, U'Y', acute},      {0xE0, U'a', grave},      {0xE1, U'a', acute},
+    {0xE2, U'a', hat},       {0xE3, U'a', tilde},      {0xE4, U'a', dots},       {0xE5, U'a', ring},
+    {0xE7, U'c', cedilla},   {0xE8, U'e', grave},      {0xE9, U'e', acute},      {0xEA, U'e', hat},
+    {0xEB, U'e', dots},      {0xEC, dotless_i, grave}, {0xED, dotless_i, acute}, {0xEE, dotless_i, hat},
+    {0xEF, dotless_i, dots}, {0xF1, U'n', tilde},      {0xF2, U'o', grave},      {0xF3, U'o', acute},
+    {0xF4, U'o', hat},       {0xF5, U'o', tilde},      {0xF6, U'o', dots},       {0xF9, U'u', grave},
+    {0xFA, U'u', acute},     {0xFB, U'u', hat},        {0xFC, U'u', dots},       {0xFD, U'y', acute},
+    {0xFF, U'y', dots},      {0x10C, U'C', caron},     {0x10D, U'c', caron},     {0x11A, U'E', caron},
+    {0x11B, U'e', caron},    {0x158, U'R', caron},     {0x159, U'r', caron},     {0x160, U'S', caron},
+    {0x161, U's', caron},    {0x17D, U'Z', caron},     {0x17E, U'z', caron},
+};
+
+/// The path of a character, or a null view. Composed letters are looked up by split_accent first.
+std::string_view glyph_path(char32_t code) {
+  const auto* const found = std::lower_bound(std::begin(glyphs), std::end(glyphs), code,
+                                             [](const Glyph& glyph, char32_t c) { return glyph.code < c; });
+  return found != std::end(glyphs) && found->code == code ? found->path : std::string_view();
+}
+
+Composed split_accent(char32_t code) {
+  const auto* const found =
+      std::lower_bound(std::begin(accented), std::end(accented), code,
+                       [](const Accented& entry, char32_t c) { return entry.code < c; });
+  return found != std::end(accented) && found->code == code ? Composed{found->base, found->accent}
+                                                            : Composed{code, 0};
+}
 
 constexpr double units_per_height = 10.0;
 constexpr double spacing = 2.1;      ///< between two letters, units
@@ -26,7 +215,7 @@ constexpr double capital_lift = 2.6;     ///< accents stand so much higher on ca
 
 using Strokes = std::vector<std::vector<Vec2>>;
 
-/// Reads a glyph's path (glyph_table.hpp) into polylines, units.
+/// Reads a glyph's path into polylines, units.
 class PathReader {
  public:
   explicit PathReader(std::string_view path) : text_(path) {}

@@ -10,7 +10,6 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "export/assembly/seam_graph.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/simple_nets.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Separate bodies that touch: where one is glued onto the other, on paper and in the file of nets.
-#include "export/sheet/contacts.hpp"
-
 #include <algorithm>
 #include <set>
 #include <string>
@@ -12,7 +10,8 @@
 
 #include "base/geometry.hpp"
 #include "export/export.hpp"
-#include "export/guide/step_words.hpp"
+#include "export/guide/words.hpp"
+#include "export/sheet/bodies.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 #include "verify/verify.hpp"

@@ -14,7 +14,7 @@
 
 #include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "export/machine/kerf_test.hpp"
+#include "export/machine/marks.hpp"
 #include "export/machine/operations.hpp"
 #include "loops_area.hpp"
 #include "machine_pages.hpp"

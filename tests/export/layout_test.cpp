@@ -10,7 +10,7 @@
 #include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "export/export.hpp"
-#include "export/sheet/fold_directions.hpp"
+#include "export/sheet/pages.hpp"
 #include "layout_promises.hpp"
 #include "plain_pieces.hpp"
 #include "sample_pages.hpp"

@@ -18,8 +18,8 @@
 
 #include "base/geometry.hpp"
 #include "export/formats/write.hpp"
-#include "export/machine/hatching.hpp"
-#include "export/machine/registration.hpp"
+#include "export/machine/marks.hpp"
+#include "export/machine/operations.hpp"
 #include "machine_pages.hpp"
 #include "sample_pages.hpp"
 #include "support/temporary_folder.hpp"

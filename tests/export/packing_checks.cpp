@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "export/packing/clearance.hpp"
+#include "export/packing/packing_shape.hpp"
 
 namespace ridgecraft::test {
 

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "export/page/furniture.hpp"
-#include "export/page/name_placement.hpp"
+#include "export/page/texts.hpp"
 #include "export/style/line_style.hpp"
 #include "export/style/stroke_font.hpp"
 #include "sample_pages.hpp"

@@ -9,7 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include "export/paint/cells.hpp"
-#include "export/paint/dot_raster.hpp"
+#include "export/paint/dot_picture.hpp"
 #include "export/style/line_style.hpp"
 #include "mesh/look/look.hpp"
 #include "sample_pages.hpp"

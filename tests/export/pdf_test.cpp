@@ -13,8 +13,8 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
-#include "export/formats/layer_order.hpp"
-#include "export/sheet/calibration.hpp"
+#include "export/sheet/drawing.hpp"
+#include "export/style/line_style.hpp"
 #include "sample_pages.hpp"
 #include "support/shapes.hpp"
 #include "verify/pages/printed.hpp"

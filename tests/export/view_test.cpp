@@ -14,7 +14,7 @@
 
 #include "base/geometry.hpp"
 #include "base/random.hpp"
-#include "export/view/coarse_view.hpp"
+#include "export/view/scene.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "support/shapes.hpp"
 

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "export/sheet/fold_directions.hpp"
+#include "export/sheet/pages.hpp"
 #include "job/job.hpp"
 #include "mesh/mesh.hpp"
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where something is glued onto or behind a piece: outlines of what no join connects with it
+// (sheet/bodies.hpp), and lines where tabs come to lie behind its faces.
+#pragma once
+
+#include "export/page/obstacles.hpp"
+#include "export/page/piece_drawing.hpp"
+#include "export/sheet/bodies.hpp"
+#include "export/sheet/pages.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
+
+namespace ridgecraft::export_ {
+
+/// Adds a contact's outlines to the drawing of its piece, but for stretches where a line is drawn already;
+/// `name` is that of the piece that is glued there.
+void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
+                   PieceDrawing& piece);
+
+/// Puts the names of what is glued on into their outlines, or beside them with a leader. A name without room
+/// is marked so in its spot (GlueSpot::named).
+void place_spot_names(PieceDrawing& piece, const Box2& area, Obstacles& obstacles);
+
+/// "A: within dashes B, C": what is glued on a piece and has no room for its name there; empty where all
+/// have.
+[[nodiscard]] std::string spot_row(const PieceDrawing& piece);
+
+/// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
+/// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side
+/// have none, since these are glued to each other. O(joins x texts of the piece).
+void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
+                     const PieceContents& contents, const Placement& placement, PieceDrawing& drawing);
+
+}  // namespace ridgecraft::export_
