@@ -196,20 +196,6 @@ MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
   return any ? result : MirrorImages();
 }
 
-std::optional<prepare::PartialRotation> turn_of(const Asked& whole, const OneOfEach& each) {
-  const std::optional<prepare::PartialRotation> turn = turn_of(whole.surface, whole.options.pieces.weights);
-  if (!turn) {
-    return std::nullopt;
-  }
-  const IdVector<EdgeId, EdgeId> number = numbers_kept(whole, each);
-  prepare::PartialRotation result{turn->order, IdVector<EdgeId, EdgeId>(each.kept.edge.size())};
-  for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
-    const EdgeId image = turn->edge[each.kept.edge[e]];
-    result.edge[e] = image.valid() ? number[image] : EdgeId();
-  }
-  return result;
-}
-
 namespace {
 
 // Nets of bodies that are copies of others.

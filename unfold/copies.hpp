@@ -7,10 +7,8 @@
 
 #include "base/id.hpp"
 #include "prepare/symmetry/mirrors.hpp"
-#include "prepare/symmetry/rotations.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/pieces/mirror_images.hpp"
-#include "unfold/pieces/turned_pieces.hpp"
 #include "unfold/plan.hpp"
 
 namespace ridgecraft::unfold {
@@ -44,10 +42,6 @@ struct OneOfEach {
 /// mirror_images for the surface without copies: at the plane of the whole surface, and in bodies that there
 /// are copies of at their own; the plane is that of the whole surface.
 [[nodiscard]] MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each);
-
-/// turn_of for the surface without copies: the turn of the whole surface, whose edges have no image where
-/// that belongs to a copy.
-[[nodiscard]] std::optional<prepare::PartialRotation> turn_of(const Asked& whole, const OneOfEach& each);
 
 /// The nets of the whole surface, once those of one of each kind are finished (holes and folding too, and
 /// tabs where they are wanted). A copy has its pieces with all that is on them, mirrored where it is. O(n log

@@ -12,7 +12,6 @@
 #include "base/geometry.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/folded_flat.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/layout.hpp"
@@ -90,17 +89,13 @@ prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Pane
   return fitting;
 }
 
-/// Flat models of more faces aren't searched for fewer pieces: in their layers everything overlaps, so each
-/// search would take all the time it may, some twenty seconds for 800 polygons, and nobody builds the result.
-constexpr std::size_t most_flat_faces = 300;
-
 Room room_of(const Options& options) {
   return {options.sheet, options.tabs.wanted ? options.tabs.height_mm : 0.0, options.pieces.max_panels};
 }
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
 void settle(const Asked& asked, const Context& context, Plan& plan) {
-  EdgeWishes wishes = with_needles_kept(asked.surface, plan.whole, asked.options.wishes);
+  EdgeWishes wishes = asked.options.wishes;
   const PieceRules& rules = asked.options.pieces;
   if (rules.merge && rules.mode != PieceMode::few) {
     wishes = with_bands_kept(asked.surface, plan.whole, asked.options.labels.items(), wishes, rules.weights);
@@ -113,18 +108,6 @@ void settle(const Asked& asked, const Context& context, Plan& plan) {
   KeptEdges kept = settle_wishes(asked.surface, plan.whole, wishes, plan.room, tolerance, context);
   plan.possible_wishes = std::move(kept.wishes);
   plan.group = parts_of_whole_panels(asked.surface, kept.groups, asked.part);
-}
-
-void look_for_flatness(const mesh::Surface& surface, Plan& plan) {
-  if (!is_folded_flat(surface)) {
-    return;
-  }
-  std::string note = "the model is flat: its faces lie on each other in one plane";
-  if (surface.face_count() > most_flat_faces) {
-    plan.in_a_hurry = true;
-    note += ", so no time is spent on fewer pieces";
-  }
-  plan.notes.push_back(std::move(note));
 }
 
 }  // namespace
@@ -150,7 +133,6 @@ Plan make_plan(const Asked& asked, const Context& context) {
   plan.room = room_of(asked.options);
   plan.whole = fitting_panels(asked.surface, asked.panels, plan.room, context, plan.notes);
   settle(asked, context, plan);
-  look_for_flatness(asked.surface, plan);
   return plan;
 }
 

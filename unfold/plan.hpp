@@ -35,7 +35,6 @@ struct Plan {
   prepare::Panels whole;
   EdgeWishes possible_wishes;      ///< of those in Asked::options; empty if there are none
   IdVector<FaceId, PartId> group;  ///< faces that are unfolded together: parts that keep what is to be kept
-  bool in_a_hurry = false;         ///< no time is to be spent on searches for fewer pieces and better trees
   std::vector<std::string> notes;  ///< for Nets::notes
 };
 

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "prepare/symmetry/rotations.hpp"
 #include "unfold/copies.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/net/equal_pieces.hpp"
@@ -22,14 +21,10 @@
 #include "unfold/pieces/better_borders.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
-#include "unfold/pieces/even_pieces.hpp"
 #include "unfold/pieces/fewer_pieces.hpp"
 #include "unfold/pieces/mirror_images.hpp"
-#include "unfold/pieces/moved_borders.hpp"
 #include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/ragged_pieces.hpp"
-#include "unfold/pieces/turned_pieces.hpp"
-#include "unfold/pieces/twin_pieces.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/requested_splits.hpp"
 #include "unfold/tabs_of_nets.hpp"
@@ -37,16 +32,6 @@
 
 namespace ridgecraft::unfold {
 namespace {
-
-/// What searches for fewer pieces and better trees get: in a hurry a deadline that has passed, so that each
-/// ends with what it begins with. It is no limit that anybody set, and nothing is told of it.
-Context for_searches(const Plan& plan, const Context& context) {
-  Context searching = context;
-  if (plan.in_a_hurry) {
-    searching.deadline = Deadline::in(0.0);
-  }
-  return searching;
-}
 
 /// All wishes count here, those that were dropped beforehand as well.
 void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
@@ -81,104 +66,137 @@ std::size_t more_pieces(const Nets& originals, const Nets& all, PieceReason reas
   return static_cast<std::size_t>(count(all) - count(originals));
 }
 
-/// What is told of finished nets.
-void note_result(const Asked& asked, const AllTabs& split, std::size_t split_off_to_fold, Nets& nets) {
-  note_broken_wishes(asked.options.wishes, nets);
-  if (asked.options.pieces.fold_linear) {
-    note_linear_folding(split_off_to_fold, nets);
-  }
-  if (wants_all_tabs(asked.options)) {
-    note_all_tabs(asked, split, nets);
-  }
-}
+/// The pieces of a surface, from its parts to finished nets: each step takes the forest as the one before
+/// left it. Of equal bodies one is unfolded.
+class Unfolding {
+ public:
+  Unfolding(const Asked& whole, const Context& context)
+      : whole_(whole),
+        context_(context),
+        each_(one_of_each(whole)),
+        asked_(each_ ? each_->asked() : whole),
+        plan_(make_plan(asked_, context)),
+        patch_(whole_patch(asked_, plan_)),
+        problem_{asked_.surface, plan_.whole, patch_, asked_.part.items(), asked_.options, plan_.room} {}
 
-/// Which faces make a piece, and over which edges: first each part, then neighbours in one, then other trees
-/// of the same faces.
-struct Search {
-  Folds folds;
-  Causes causes;
-  std::vector<PartNote> notes;
+  Nets run() {
+    unfold_each_part();
+    merge();
+    find_mirror_images();
+    search_borders();
+    folds_ = better_trees(problem_, folds_, images_.edge, context_);
+    split_for_requests();
+    Nets nets = finished_nets();
+    describe(nets);
+    return nets;
+  }
+
+ private:
+  void unfold_each_part() {
+    UnfoldedParts parts = unfold_parts(asked_, plan_, context_);
+    folds_ = std::move(parts.folds);
+    causes_ = std::move(parts.causes);
+    part_notes_ = std::move(parts.notes);
+  }
+
+  void merge() {
+    const PieceRules& rules = asked_.options.pieces;
+    if (rules.merge) {
+      folds_ = merge_parts(problem_, folds_, context_);
+    }
+    if (rules.merge && rules.mode == PieceMode::few) {
+      folds_ = fewer_pieces(problem_, folds_, context_);
+    }
+  }
+
+  void find_mirror_images() {
+    if (!context_.out_of_time()) {
+      images_ = each_ ? mirror_images_of(whole_, *each_)
+                      : mirror_images(whole_.surface, whole_.options.pieces.weights);
+    }
+  }
+
+  /// Trees and borders of neighbouring pieces, once more where ragged pieces were cut.
+  void search_borders() {
+    folds_ = better_borders(problem_, folds_, images_.edge, Start::anywhere, context_);
+    if (!asked_.options.pieces.merge || context_.out_of_time()) {
+      return;
+    }
+    const Folds cut =
+        with_ragged_pieces_cut(patch_, asked_.part.items(), folds_, asked_.options.pieces.weights, context_);
+    if (blame(patch_, folds_, cut, PieceReason::shape, causes_) > 0) {
+      folds_ = better_borders(problem_, cut, images_.edge, Start::near, context_);
+    }
+  }
+
+  void split_for_requests() {
+    in_time_for_nets_ = !context_.out_of_time();
+    split_ = wants_all_tabs(asked_.options) ? give_all_tabs(asked_, plan_, patch_, folds_, causes_, context_)
+                                            : AllTabs{folds_, causes_};
+    if (asked_.options.pieces.fold_linear) {
+      LinearFolding linear = fold_together(plan_, patch_, split_.folds, std::move(split_.causes), context_);
+      split_.folds = std::move(linear.folds);
+      split_.causes = std::move(linear.causes);
+      split_off_to_fold_ = linear.split_pieces;
+    }
+  }
+
+  /// All nets, with everything that belongs on a piece.
+  Nets finished_nets() {
+    Nets nets = nets_of_folds(asked_.surface, asked_.part, patch_, split_.folds, split_.causes);
+    close_flat_cuts(asked_.surface, asked_.panels, plan_.possible_wishes, nets);
+    count_holes(asked_.surface, nets);
+    insist_on_no_overlap(nets);
+    do_in_parallel(nets.pieces.size(), context_, [&](std::size_t i, const Context& own) {
+      nets.pieces[PieceId(i)].folding = find_fold_order(asked_.surface, nets, PieceId(i), own);
+    });
+    give_tabs(asked_.surface, asked_.panels, asked_.options, nets, context_);
+    if (each_) {
+      const Nets originals = std::exchange(nets, with_copies(whole_, *each_, nets));
+      split_.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
+      split_off_to_fold_ += more_pieces(originals, nets, PieceReason::folding);
+    }
+    add_foot_tabs(whole_.surface, whole_.options, {}, nets, context_);
+    nets.equal = find_equal_pieces(whole_.surface, nets);
+    return nets;
+  }
+
+  /// Says what a user should know of the nets.
+  void describe(Nets& nets) {
+    nets.notes = plan_.notes;
+    if (whole_.options.tabs.wanted && !in_time_for_nets_) {
+      nets.notes.emplace_back("the time given was up before all nets with more tabs were tried");
+    }
+    for (PartNote& note : part_notes_) {
+      note.face = each_ ? each_->kept.face[note.face] : note.face;
+    }
+    const std::vector<std::string> of_parts = sentences(part_notes_, nets);
+    nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
+    note_broken_wishes(whole_.options.wishes, nets);
+    if (whole_.options.pieces.fold_linear) {
+      note_linear_folding(split_off_to_fold_, nets);
+    }
+    if (wants_all_tabs(whole_.options)) {
+      note_all_tabs(whole_, split_, nets);
+    }
+  }
+
+  const Asked& whole_;
+  const Context& context_;
+  const std::optional<OneOfEach> each_;  ///< where bodies are equal
+  const Asked asked_;                    ///< without the copies of equal bodies
+  const Plan plan_;
+  const Patch patch_;
+  const NetProblem problem_;
+
+  Folds folds_;
+  Causes causes_;
+  std::vector<PartNote> part_notes_;
+  MirrorImages images_;
+  AllTabs split_;  ///< the last forest
+  std::size_t split_off_to_fold_ = 0;
+  bool in_time_for_nets_ = true;
 };
-
-/// The parts with the borders between them moved where that makes fewer pieces, and notes of it.
-void move_borders_of(const NetProblem& problem, const Asked& asked, const Context& context,
-                     UnfoldedParts& parts) {
-  std::vector<PieceReason> cause;
-  for (const Cause& c : parts.causes) {
-    cause.push_back(c.reason);
-  }
-  MovedBorders moved = move_borders(problem, parts.folds, cause, context);
-  parts.folds = std::move(moved.folds);
-  const std::set<PartId> parts_moved(moved.parts.begin(), moved.parts.end());
-  // What was told of these is of faces that they no longer have, or not alone.
-  std::erase_if(parts.notes,
-                [&](const PartNote& note) { return parts_moved.contains(asked.part[note.face]); });
-  for (const PartId part : parts_moved) {
-    const auto face = std::find(asked.part.begin(), asked.part.end(), part);
-    parts.notes.push_back({"moving the border with its neighbours saved pieces",
-                           FaceId(static_cast<std::uint32_t>(face - asked.part.begin()))});
-  }
-}
-
-/// `find_mirrored`, `find_turned`: which edges are mirror images of each other, and which lie on which after
-/// a turn; asked for when it is needed.
-template <class FindMirrored, class FindTurned>
-Search search(const Asked& asked, const Plan& plan, const Patch& patch, const FindMirrored& find_mirrored,
-              const FindTurned& find_turned, const Context& context) {
-  const NetProblem problem{asked.surface, plan.whole, patch, asked.part.items(), asked.options, plan.room};
-  UnfoldedParts parts = unfold_parts(asked, plan, context);
-  const PieceRules& rules = asked.options.pieces;
-  if (rules.merge) {
-    move_borders_of(problem, asked, context, parts);
-  }
-  Folds merged = rules.merge ? merge_parts(problem, parts.folds, context) : std::move(parts.folds);
-  if (rules.merge && rules.mode == PieceMode::few) {
-    merged = fewer_pieces(problem, merged, context);
-  }
-  const MirrorImages images = context.out_of_time() ? MirrorImages() : find_mirrored();
-  const std::optional<prepare::PartialRotation> turn = context.out_of_time() ? std::nullopt : find_turned();
-  const IdVector<EdgeId, EdgeId> turned_edges = turn ? turn->edge : IdVector<EdgeId, EdgeId>();
-  const auto evened = [&](const Folds& folds) {
-    return even_pieces(problem, folds, images, turned_edges, context);
-  };
-  Folds even = evened(merged);
-  if (turn) {
-    Folds turned = turned_pieces(problem, even, *turn, images.edge, context);
-    if (lay_out(patch, turned).faces.size() > lay_out(patch, even).faces.size()) {
-      blame(patch, even, turned, PieceReason::shape, parts.causes);
-    }
-    even = std::move(turned);
-  }
-  const auto twins_of = [&](const Folds& folds) {
-    return context.out_of_time() ? TwinPieces() : find_twin_pieces(asked.surface, patch, folds, context);
-  };
-  const auto bordered = [&](const Folds& folds, Start start) {
-    const Patch apart = with_twins_apart(patch, folds, twins_of(folds));
-    return better_borders(problem.with(apart), folds, images.edge, start, context);
-  };
-  Folds calm = bordered(even, Start::anywhere);
-  if (rules.merge && !context.out_of_time()) {
-    const Folds cut = with_ragged_pieces_cut(patch, asked.part.items(), calm, rules.weights, context);
-    if (blame(patch, calm, cut, PieceReason::shape, parts.causes) > 0) {
-      calm = bordered(cut, Start::near);
-    }
-  }
-  calm = evened(calm);
-  const Folds better = better_trees(problem, calm, images.edge, context);
-  return {with_equal_twins(problem, better, twins_of(better)), std::move(parts.causes),
-          std::move(parts.notes)};
-}
-
-/// Everything of a piece but its faces and folds.
-void finish(const Asked& asked, const Plan& plan, const Context& context, Nets& nets) {
-  close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
-  count_holes(asked.surface, nets);
-  insist_on_no_overlap(nets);
-  do_in_parallel(nets.pieces.size(), context, [&](std::size_t i, const Context& own) {
-    nets.pieces[PieceId(i)].folding = find_fold_order(asked.surface, nets, PieceId(i), own);
-  });
-  give_tabs(asked.surface, asked.panels, asked.options, nets, context);
-}
 
 }  // namespace
 
@@ -186,50 +204,9 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
             const Options& options, const Context& context) {
   context.check();
   context.report("unfold", 0.0);
-  const Asked whole{surface, panels, part, options};
-  refuse_large_faces(whole);
-  const std::optional<OneOfEach> each = one_of_each(whole);
-  const Asked asked = each ? each->asked() : whole;
-  const Plan plan = make_plan(asked, context);
-  const Patch patch = whole_patch(asked, plan);
-  const auto mirror_images_here = [&] {
-    return each ? mirror_images_of(whole, *each) : mirror_images(surface, options.pieces.weights);
-  };
-  const auto turn_here = [&] {
-    return each ? turn_of(whole, *each) : turn_of(surface, options.pieces.weights);
-  };
-  Search found = search(asked, plan, patch, mirror_images_here, turn_here, for_searches(plan, context));
-  std::vector<std::string> notes = plan.notes;
-  if (options.tabs.wanted && context.out_of_time()) {
-    notes.emplace_back("the time given was up before all nets with more tabs were tried");
-  }
-  AllTabs split = wants_all_tabs(options)
-                      ? give_all_tabs(asked, plan, patch, found.folds, found.causes, context)
-                      : AllTabs{std::move(found.folds), std::move(found.causes)};
-  std::size_t split_off_to_fold = 0;
-  if (options.pieces.fold_linear) {
-    LinearFolding linear = fold_together(plan, patch, split.folds, std::move(split.causes), context);
-    split.folds = std::move(linear.folds);
-    split.causes = std::move(linear.causes);
-    split_off_to_fold = linear.split_pieces;
-  }
-  Nets nets = nets_of_folds(asked.surface, asked.part, patch, split.folds, split.causes);
-  nets.notes = std::move(notes);
-  finish(asked, plan, context, nets);
-  if (each) {
-    const Nets originals = std::exchange(nets, with_copies(whole, *each, nets));
-    split.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
-    split_off_to_fold += more_pieces(originals, nets, PieceReason::folding);
-  }
-  for (PartNote& note : found.notes) {
-    note.face = each ? each->kept.face[note.face] : note.face;
-  }
-  const std::vector<std::string> of_parts = sentences(found.notes, nets);
-  nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
-  add_foot_tabs(surface, options, {}, nets, context);
-  nets.equal = find_equal_pieces(surface, nets);
-  note_result(whole, split, split_off_to_fold, nets);
-  return nets;
+  const Asked asked{surface, panels, part, options};
+  refuse_large_faces(asked);
+  return Unfolding(asked, context).run();
 }
 
 }  // namespace ridgecraft::unfold

@@ -158,7 +158,7 @@ UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& 
                                        plan.possible_wishes.items(), asked.options.labels.items());
         const std::uint64_t seed = Random::stream(context.seed, i).next();
         PatchNets nets = unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent),
-                                      seed, plan.in_a_hurry ? Effort::brief : Effort::full, own);
+                                      seed, Effort::full, own);
         take_over(tasks[i], patch, nets, result);
         notes[i] = std::move(nets.notes);
       },

@@ -134,7 +134,7 @@ IdVector<PieceId, std::string> find_piece_objects(const prepare::Prepared& prepa
 }
 
 std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most) {
-  const std::string but = kind.tabs_differ ? " but for tabs between them" : "";
+  const std::string but = kind.tabs_differ ? " but for tabs" : "";
   if (kind.name.empty() && kind.pieces.size() == 1 && kind.mirrored.size() == 1) {
     return listed(nets, kind.pieces, most) + " and " + listed(nets, kind.mirrored, most) +
            " are mirror images" + but;

@@ -80,7 +80,6 @@ const std::vector<Folder>& folders() {
         "symmetry/isometry.hpp",
         "symmetry/correspondence.hpp",
         "symmetry/mirrors.hpp",
-        "symmetry/rotations.hpp",
         "symmetry/seen_edges.hpp",
         "symmetry/twins.hpp"}},
       {"segment",

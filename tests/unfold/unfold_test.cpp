@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <filesystem>
 
 #include <catch2/catch.hpp>
@@ -66,47 +65,6 @@ TEST_CASE("faces without area are laid flat like others", "[unfold]") {
                          {VertexId(2), VertexId(3), VertexId(1)}});
   const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), {}, {});
   CHECK(faults_of(s, nets, {}) == none);
-}
-
-TEST_CASE("a model folded flat is told, and not searched for long", "[unfold]") {
-  const auto flattened = [](int longitudes, int latitudes) {
-    const mesh::Surface ball = test::star_shaped(
-        [](Vec3 d) {
-          return 60.0 + 25.0 * std::sin(7.0 * d.x + 2.0) * std::sin(9.0 * d.y) * std::cos(8.0 * d.z);
-        },
-        longitudes, latitudes);
-    return test::mapped(ball, [](Vec3 p) { return Vec3{p.x, p.y, 0.0}; });
-  };
-  const auto flat_note = [](const Nets& nets) {
-    return std::find_if(nets.notes.begin(), nets.notes.end(),
-                        [](const std::string& note) { return note.starts_with("the model is flat"); });
-  };
-  const mesh::Surface large = flattened(40, 24);
-  const std::clock_t begin = std::clock();
-  const Nets nets = unfold::unfold(large, test::flat_panels(large), test::one_part(large), {}, {});
-  CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 3.0);
-  CHECK(faults_of(large, nets, {}) == none);
-  REQUIRE(flat_note(nets) != nets.notes.end());
-  CHECK(flat_note(nets)->find("no time is spent on fewer pieces") != std::string::npos);
-  // Nobody set a limit of time, so none is to blame.
-  for (const unfold::Piece& piece : nets.pieces) {
-    CHECK(piece.reason != unfold::PieceReason::time);
-  }
-  for (const std::string& note : nets.notes) {
-    CAPTURE(note);
-    CHECK(note.find("in the time given") == std::string::npos);
-  }
-  // Small ones are told, but searched as any other model is.
-  const mesh::Surface small = flattened(8, 5);
-  const Nets few = unfold::unfold(small, test::flat_panels(small), test::one_part(small), {}, {});
-  REQUIRE(flat_note(few) != few.notes.end());
-  CHECK(flat_note(few)->ends_with("in one plane"));
-  // One layer is a drawing, not a flat model.
-  const mesh::Surface sheet(
-      {{0, 0, 0}, {3, 0, 0}, {3, 4, 0}, {0, 4, 0}},
-      {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(3)}});
-  const Nets drawing = unfold::unfold(sheet, test::flat_panels(sheet), test::one_part(sheet), {}, {});
-  CHECK(flat_note(drawing) == drawing.notes.end());
 }
 
 TEST_CASE("nothing to unfold gives nothing", "[unfold]") {

@@ -17,10 +17,9 @@ namespace ridgecraft::unfold {
 /// What a user wants of an edge of the surface, or its faces do.
 enum class EdgeWish : std::uint8_t {
   none,
-  cut,     ///< never a fold
-  keep,    ///< a fold
-  needle,  ///< a fold: beside it lies a face too narrow to be cut out (pieces/kept_edges.hpp)
-  band,    ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_edges.hpp)
+  cut,   ///< never a fold
+  keep,  ///< a fold
+  band,  ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_edges.hpp)
 };
 using EdgeWishes = IdVector<EdgeId, EdgeWish>;  ///< per edge of a surface, or empty
 

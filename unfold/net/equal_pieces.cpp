@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -26,8 +27,7 @@ enum class LineKind : std::size_t { outline, fold, tab };
 
 struct DrawnLine {
   Vec2 from, to;
-  double fold = 0.0;   ///< angle, radians, where it is a fold
-  PieceId other = {};  ///< where it is of a tab or its slit: which other piece is glued there
+  double fold = 0.0;  ///< angle, radians, where it is a fold
 };
 
 /// All lines of a piece by their kinds.
@@ -68,16 +68,13 @@ std::vector<Lines> lines_of(const mesh::Surface& surface, const Nets& nets) {
   }
   for (const Tab& tab : nets.tabs) {
     const PieceId own = nets.piece[mesh::face_of(tab.side)];
-    const CornerId twin = surface.twin(tab.side);
-    const PieceId target = twin.valid() ? nets.piece[mesh::face_of(twin)] : PieceId();
-    const PieceId other = target == own ? PieceId() : target;
     Lines& lines = result[own.value()];
     for (std::size_t i = 0; i < tab.polygon.size(); ++i) {
-      lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()], 0.0, other});
+      lines[LineKind::tab].push_back({tab.polygon[i], tab.polygon[(i + 1) % tab.polygon.size()]});
     }
     if (tab.slit) {
-      result[target.value()][LineKind::tab].push_back(
-          {(*tab.slit)[0], (*tab.slit)[1], 0.0, target == own ? PieceId() : own});
+      const PieceId target = nets.piece[mesh::face_of(surface.twin(tab.side))];
+      result[target.value()][LineKind::tab].push_back({(*tab.slit)[0], (*tab.slit)[1]});
     }
   }
   for (Lines& lines : result) {
@@ -172,35 +169,34 @@ std::optional<Laying> laid_on(const Lines& piece, const Lines& other) {
   return std::nullopt;
 }
 
-/// A piece's lines without the tabs that `is_left_out` says.
-template <typename IsLeftOut>
-Lines without_tabs(const Lines& all, const IsLeftOut& is_left_out) {
+/// A piece's lines without its tabs.
+Lines without_tabs(const Lines& all) {
   Lines lines = all;
-  std::erase_if(lines[LineKind::tab], [&](const DrawnLine& line) { return is_left_out(line); });
+  lines[LineKind::tab].clear();
   return lines;
 }
 
 using Kind = std::vector<EqualPiece>;
 
-/// Some of the pieces by kinds: `lines[i]` are those of `pieces[i]`. Kinds of one piece, too.
-std::vector<Kind> kinds_of(const std::vector<PieceId>& pieces, const std::vector<Lines>& lines) {
+/// All pieces by kinds, by their first ones: `lines[i]` are those of piece i. Kinds of one piece, too.
+std::vector<Kind> kinds_of(const std::vector<Lines>& lines) {
   struct Known {
     std::size_t kind, first;
   };
   std::vector<Kind> kinds;
   std::map<std::array<std::size_t, 3>, std::vector<Known>> by_counts;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     std::vector<Known>& alike = by_counts[lines[i].counts()];
     const bool is_known = std::any_of(alike.begin(), alike.end(), [&](const Known& known) {
       const std::optional<Laying> laid = laid_on(lines[known.first], lines[i]);
       if (laid) {
-        kinds[known.kind].push_back({pieces[i], laid->mirrored, false, laid->motion});
+        kinds[known.kind].push_back({PieceId(i), laid->mirrored, false, laid->motion});
       }
       return laid.has_value();
     });
     if (!is_known) {
       alike.push_back({kinds.size(), i});
-      kinds.push_back({{pieces[i]}});
+      kinds.push_back({{PieceId(i)}});
     }
   }
   return kinds;
@@ -208,7 +204,7 @@ std::vector<Kind> kinds_of(const std::vector<PieceId>& pieces, const std::vector
 
 /// Says of each piece of a kind whether it is equal to the first with all of its tabs, and if so, how it
 /// lies.
-void tell_tabs(const std::vector<Lines>& lines, Kind& kind) {
+void compare_tabs(const std::vector<Lines>& lines, Kind& kind) {
   const Lines& first = lines[kind.front().piece.value()];
   for (std::size_t i = 1; i < kind.size(); ++i) {
     const std::optional<Laying> laid = laid_on(first, lines[kind[i].piece.value()]);
@@ -220,99 +216,17 @@ void tell_tabs(const std::vector<Lines>& lines, Kind& kind) {
   }
 }
 
-/// Kinds become one where nothing differs but tabs of joins between their pieces.
-class KindUnion {
- public:
-  /// `kinds`: of pieces that are equal with all lines, and of single ones, by their first pieces.
-  KindUnion(const std::vector<Lines>& lines, std::vector<Kind> kinds)
-      : lines_(lines), kinds_(std::move(kinds)) {}
-
-  std::vector<Kind> run() {
-    std::vector<PieceId> firsts;
-    std::vector<Lines> bare;
-    for (const Kind& kind : kinds_) {
-      firsts.push_back(kind.front().piece);
-      bare.push_back(without_tabs(lines_[firsts.back().value()], [](const DrawnLine&) { return true; }));
-    }
-    for (const Kind& alike : kinds_of(firsts, bare)) {
-      std::vector<std::size_t> members;
-      for (const EqualPiece& first : alike) {
-        const auto at = std::lower_bound(firsts.begin(), firsts.end(), first.piece);
-        members.push_back(static_cast<std::size_t>(at - firsts.begin()));
-      }
-      unite(members, 0);
-    }
-    return std::move(united_);
-  }
-
- private:
-  /// In each round kinds are told apart by the tabs that lead to others than those of the round before. What
-  /// isn't one kind after so many stays several.
-  static constexpr int most_rounds = 8;
-
-  void unite(const std::vector<std::size_t>& members, int round) {
-    if (members.size() < 2 || round == most_rounds) {
-      for (const std::size_t k : members) {
-        united_.push_back(kinds_[k]);
-      }
-      return;
-    }
-    std::vector<PieceId> pieces;
-    for (const std::size_t k : members) {
-      for (const EqualPiece& equal : kinds_[k]) {
-        pieces.push_back(equal.piece);
-      }
-    }
-    std::sort(pieces.begin(), pieces.end());
-    std::vector<Lines> outward;
-    for (const PieceId piece : pieces) {
-      outward.push_back(without_tabs(lines_[piece.value()], [&](const DrawnLine& line) {
-        return std::binary_search(pieces.begin(), pieces.end(), line.other);
-      }));
-    }
-    std::vector<Kind> parts = kinds_of(pieces, outward);
-    if (parts.size() == 1) {
-      tell_tabs(lines_, parts.front());
-      united_.push_back(std::move(parts.front()));
-      return;
-    }
-    std::map<PieceId, std::size_t> part_of;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (const EqualPiece& equal : parts[i]) {
-        part_of[equal.piece] = i;
-      }
-    }
-    std::map<std::size_t, std::vector<std::size_t>> members_of;  // of each part
-    for (const std::size_t k : members) {
-      const std::size_t part = part_of[kinds_[k].front().piece];
-      const bool is_whole = std::all_of(kinds_[k].begin(), kinds_[k].end(), [&](const EqualPiece& equal) {
-        return part_of[equal.piece] == part;
-      });
-      if (is_whole) {
-        members_of[part].push_back(k);
-      } else {
-        united_.push_back(kinds_[k]);  // what is equal with all tabs stays one kind
-      }
-    }
-    for (const auto& [part, own] : members_of) {
-      unite(own, round + 1);
-    }
-  }
-
-  const std::vector<Lines>& lines_;
-  std::vector<Kind> kinds_;
-  std::vector<Kind> united_;
-};
-
 }  // namespace
 
 std::vector<std::vector<EqualPiece>> find_equal_pieces(const mesh::Surface& surface, const Nets& nets) {
   const std::vector<Lines> lines = lines_of(surface, nets);
-  const auto all = ids<PieceId>(nets.pieces.size());
-  std::vector<Kind> kinds = KindUnion(lines, kinds_of({all.begin(), all.end()}, lines)).run();
+  std::vector<Lines> bare;
+  std::transform(lines.begin(), lines.end(), std::back_inserter(bare), without_tabs);
+  std::vector<Kind> kinds = kinds_of(bare);
   std::erase_if(kinds, [](const Kind& kind) { return kind.size() < 2; });
-  std::sort(kinds.begin(), kinds.end(),
-            [](const Kind& a, const Kind& b) { return a.front().piece < b.front().piece; });
+  for (Kind& kind : kinds) {
+    compare_tabs(lines, kind);
+  }
   return kinds;
 }
 

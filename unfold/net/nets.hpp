@@ -105,8 +105,7 @@ struct Tab {
 struct EqualPiece {
   PieceId piece;
   bool mirrored = false;
-  /// Its tabs on joins with others of its kind lie elsewhere than the first's: one gives what the other
-  /// takes.
+  /// Its tabs, or the slits for them, aren't those of the first.
   bool other_tabs = false;
   /// Lays the first piece of its kind on this one, after x is -x for all of it where it is mirrored.
   Rigid motion = {};
@@ -120,8 +119,7 @@ struct Nets {
   IdVector<PieceId, Piece> pieces;
   IdVector<JoinId, Join> joins;  ///< one for each cut edge, in the order of their numbers
   IdVector<TabId, Tab> tabs;
-  /// Kinds of pieces that there are several of, with folds and tabs, but for tabs between them
-  /// (equal_pieces.hpp).
+  /// Kinds of pieces that there are several of (equal_pieces.hpp).
   std::vector<std::vector<EqualPiece>> equal;
   /// Edges that were to be kept (EdgeWish::keep) and are cut: as folds they would close a loop, overlap or
   /// fit no page.

@@ -4,22 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "base/geometry.hpp"
 #include "unfold/net/options.hpp"
 
 namespace ridgecraft::unfold {
-namespace {
-
-/// How far a point within `reach` of a face's middle lies from itself when the face is at one place and at
-/// the other, at most.
-double distance_between(const Rigid& one, const Rigid& other, double reach) {
-  return length(one.shift - other.shift) +
-         reach * elementary::hypot(one.cosine - other.cosine, one.sine - other.sine);
-}
-
-}  // namespace
 
 Layout lay_out(const Patch& patch, const Folds& folds) {
   const std::uint32_t n = patch.size();
@@ -54,36 +43,6 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
     }
   }
   return layout;
-}
-
-bool lies_one_way(const Patch& patch, const Folds& tree, double tolerance) {
-  std::vector<Rigid> place(patch.size());
-  std::vector<std::uint8_t> placed(patch.size(), 0);
-  std::vector<std::uint32_t> order{0};
-  placed[0] = 1;
-  double reach = 0.0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const std::uint32_t f = order[i];
-    reach = std::max(reach, 2.0 * length(place[f].shift) + length(patch.shape[f][0]));
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      const std::uint32_t g = tree[side] != 0 ? patch.twin[side] / 3 : f;
-      if (placed[g] == 0) {
-        placed[g] = 1;
-        place[g] = place[f] * patch.across[side];
-        order.push_back(g);
-      }
-    }
-  }
-  // Two trees differ by what their folds differ by, added up over no more folds than there are faces.
-  const double allowed = 0.1 * tolerance / patch.size();
-  for (std::uint32_t side = 0; side < tree.size(); ++side) {
-    if (patch.twin[side] != nothing && tree[side] == 0 &&
-        !(distance_between(place[side / 3] * patch.across[side], place[patch.twin[side] / 3], reach) <=
-          allowed)) {
-      return false;
-    }
-  }
-  return true;
 }
 
 bool is_slit(const Patch& patch, const Folds& folds, const Layout& layout, std::uint32_t side) {

@@ -22,11 +22,6 @@ struct Layout {
 /// O(n).
 [[nodiscard]] Layout lay_out(const Patch& patch, const Folds& folds);
 
-/// Whether all trees of a connected patch lay it flat in the same way, to a tenth of `tolerance` (mm), as
-/// they do where the faces around each of its points close flat. Then what overlaps under one tree does so
-/// under all. O(n).
-[[nodiscard]] bool lies_one_way(const Patch& patch, const Folds& tree, double tolerance);
-
 /// Whether a side is cut only because folds are a tree: its flat region goes on over it, and both copies of
 /// it lie at one place. The paper is whole there (pieces/closing.hpp).
 [[nodiscard]] bool is_slit(const Patch& patch, const Folds& folds, const Layout& layout, std::uint32_t side);

@@ -81,7 +81,6 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
       patch.twin[side] = 3 * g + j;
       const bool within = panels.panel[patch.face[f]] == panels.panel[patch.face[g]];
       patch.frozen[side] = within || wish == EdgeWish::keep ? frozen_in_panel
-                           : wish == EdgeWish::needle       ? frozen_at_needle
                            : wish == EdgeWish::band         ? frozen_in_band
                                                             : 0;
       const Triangle& here = patch.shape[f];

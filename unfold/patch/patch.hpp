@@ -120,11 +120,10 @@ using Triangle = std::array<Vec2, 3>;
 /// Marks "no face", "no side".
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// Patch::frozen of sides whose faces count as one flat region, of those that hold a needle to its neighbour,
-/// and of those across a strip that stays one: both are a region more.
+/// Patch::frozen of sides whose faces count as one flat region, and of those across a strip that stays one,
+/// which count as a region more.
 inline constexpr std::uint8_t frozen_in_panel = 1;
-inline constexpr std::uint8_t frozen_at_needle = 2;
-inline constexpr std::uint8_t frozen_in_band = 3;
+inline constexpr std::uint8_t frozen_in_band = 2;
 
 /// Faces 0 .. size()-1; side 3 f + k of face f runs from its corner k to its corner k + 1.
 struct Patch {
@@ -132,7 +131,7 @@ struct Patch {
   std::vector<std::uint32_t>
       twin;  ///< per side: the side on the other face; nothing at a border of the patch
   std::vector<std::uint8_t> frozen;  ///< per side: 0, or always a fold, since both its faces lie in one
-                                     ///< panel or one strip, a user wants it, or one of them is a needle
+                                     ///< panel or one strip, or a user wants it
   std::vector<Triangle> shape;       ///< per face: its corners in its own frame, mm
   std::vector<Rigid>
       across;  ///< per side: the neighbour's frame seen from this face's, laid flat over the side

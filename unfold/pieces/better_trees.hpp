@@ -8,10 +8,11 @@
 namespace ridgecraft::unfold {
 
 /// Changes the tree of each piece of a clean forest so that it doesn't run through itself while all creases
-/// are folded together (folding/folding_meetings.hpp), where that costs little (energy/net_energy.hpp), or whatever it
-/// costs where that is the rule. The pieces keep their faces, stay free of overlap and fit the room if they
-/// did; of two that are mirror images the second gets what the first got. `mirrored`: mirror_images. The
-/// patch is the whole surface. Deterministic for one seed but for the deadline; one piece is one task.
+/// are folded together (folding/folding_meetings.hpp), where that costs little (energy/net_energy.hpp), or
+/// whatever it costs where that is the rule. The pieces keep their faces, stay free of overlap and fit the
+/// room if they did; of two that are mirror images the second gets what the first got. `mirrored`:
+/// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one piece
+/// is one task.
 [[nodiscard]] Folds better_trees(const NetProblem& problem, const Folds& folds,
                                  const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
 

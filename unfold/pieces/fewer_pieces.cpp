@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
 #include "unfold/energy/anneal.hpp"
-#include "unfold/energy/net_energy.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
@@ -20,20 +20,28 @@
 #include "unfold/pieces/patch_nets.hpp"
 #include "unfold/search/heated_search.hpp"
 #include "unfold/search/least_forest.hpp"
+#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// Swaps for each face of pieces that are searched for a net, of such as don't fit yet, and of such as are
-/// compared.
+/// Swaps for each face of pieces that are searched for a net, and of such as don't fit yet.
 constexpr std::uint64_t heat_per_face = 1200;
 constexpr double fit_per_face = 1500.0;
-constexpr double settle_per_face = 200.0;
 /// Larger unions take too long.
 constexpr std::size_t most_faces_of_union = 600;
 /// What a proof that a union needs as many pieces may take: pairs of faces, panels of a block.
 constexpr std::uint64_t union_proof_pairs = 500'000;
 constexpr std::size_t most_panels_of_union = 30;
+
+/// A few pieces as one patch. The first of them is to be joined to another one.
+struct PiecesTogether {
+  std::vector<std::uint32_t> faces;  ///< of the whole, ascending
+  Patch patch;
+  Folds apart;
+  std::size_t trees = 0;    ///< that it has
+  std::uint32_t first = 0;  ///< one of the first piece's faces, of the patch
+};
 
 /// Sides over which trees meet, long ones first, as many as make one tree of them; beside those that `joint`
 /// joins already.
@@ -71,8 +79,7 @@ void set_folds(const Patch& patch, Folds& folds, const std::vector<std::uint32_t
   }
 }
 
-}  // namespace
-
+/// These pieces of a forest of the whole; the first of them comes first. `layout`: of the forest.
 PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Layout& layout,
                                std::span<const std::uint32_t> pieces) {
   PiecesTogether all;
@@ -88,6 +95,37 @@ PiecesTogether pieces_together(const Patch& whole, const Folds& folds, const Lay
       static_cast<std::uint32_t>(std::lower_bound(all.faces.begin(), all.faces.end(), f) - all.faces.begin());
   return all;
 }
+
+/// Searches with a budget for all of them: about a second for trees, and one for the room.
+class TreesTogether {
+ public:
+  /// All must outlive this.
+  TreesTogether(const NetProblem& problem, const Context& context);
+
+  /// Clean trees that fit the room, one fewer than they are: linked trees are searched for a net by heat
+  /// (heated_search.hpp) and, where they don't fit the room, for borders at which they do
+  /// (energy/anneal.hpp). What is proven to need as many (least_forest.hpp) isn't tried. Throws
+  /// Error(interrupted).
+  [[nodiscard]] std::optional<Folds> one_fewer(const PiecesTogether& pieces);
+
+ private:
+  [[nodiscard]] std::optional<Folds> parted(const Patch& patch, Folds tree,
+                                            const std::vector<std::uint32_t>& links) const;
+  [[nodiscard]] Folds fitted(const LinkedPatch& linked, const Folds& tree);
+
+  static constexpr std::uint64_t heat_budget = 400'000;
+  static constexpr std::uint64_t fit_budget = 400'000;
+
+  const mesh::Surface& surface_;
+  const prepare::Panels& panels_;
+  const Options& options_;
+  const Room& room_;
+  const Context& context_;
+  double tolerance_;
+  Random random_;
+  std::uint64_t heat_work_ = heat_budget;
+  std::uint64_t fit_work_ = fit_budget;
+};
 
 TreesTogether::TreesTogether(const NetProblem& problem, const Context& context)
     : surface_(problem.surface),
@@ -152,39 +190,6 @@ Folds TreesTogether::fitted(const LinkedPatch& linked, const Folds& tree) {
   anneal(net, facts, room_, options_.pieces.weights, rules, random_.next(), context_);
   return net.folds();
 }
-
-SettledTrees TreesTogether::settled(const Patch& patch, const Folds& forest) {
-  const std::vector<std::uint32_t> links = links_between(patch, lay_out(patch, forest), nothing);
-  const LinkedPatch linked = linked_patch(patch, links);
-  Folds tree = forest;
-  set_folds(patch, tree, links, true);
-  Annealing rules = annealing_for(settle_per_face, patch.size());
-  rules.exact_trials = 0;
-  ChangingNet net(surface_, panels_, linked.apart, linked.joined, tree, options_.tabs, tolerance_);
-  const CutFacts facts = cut_facts(net, options_.tabs);
-  anneal(net, facts, room_, options_.pieces.weights, rules, random_.next(), context_);
-  Folds folds = net.folds();
-  set_folds(patch, folds, links, false);
-  const NetEnergy linked_energy(net.patch(), net.tree(), facts, room_, options_.pieces.weights);
-  const double energy = linked_energy.shape_cost() + cost_of_cuts(patch, folds, net);
-  return {std::move(folds), energy};
-}
-
-/// What the cuts of a forest cost, links among them: those are no cuts to the energy of linked trees, and
-/// forests of more trees have more of them.
-double TreesTogether::cost_of_cuts(const Patch& patch, const Folds& forest, ChangingNet& net) const {
-  CutFacts facts;
-  std::optional<TabState> tabs;
-  if (options_.tabs.wanted) {
-    tabs.emplace(surface_, panels_, patch, net.tree(), options_.tabs);
-    facts = cut_facts(*tabs, options_.tabs);
-  }
-  CutCosts costs(patch, facts, options_.pieces.weights);
-  costs.set_tree(forest);
-  return costs.total();
-}
-
-namespace {
 
 using Faces = std::vector<std::uint32_t>;
 

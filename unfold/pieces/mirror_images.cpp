@@ -106,32 +106,6 @@ IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const P
   return result;
 }
 
-double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>& edges,
-                  const IdVector<EdgeId, EdgeId>& images) {
-  double sum = 0.0;
-  for (const EdgeId e : ids<EdgeId>(images.size())) {
-    sum += images[e].valid() && edges[e] == InForest::cut && edges[images[e]] == InForest::fold
-               ? surface.length(e)
-               : 0.0;
-  }
-  return sum;
-}
-
-double cost_of_forest(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                      std::span<const IdVector<EdgeId, EdgeId>* const> images, const Weights& weights) {
-  const IdVector<EdgeId, InForest> edges = edges_in_forest(surface, patch, folds);
-  double sum = 0.0;
-  for (const IdVector<EdgeId, EdgeId>* const image : images) {
-    sum += weights.mirror * unevenness(surface, edges, *image);
-  }
-  for (std::vector<std::uint32_t>& faces : lay_out(patch, folds).faces) {
-    std::sort(faces.begin(), faces.end());
-    // How parts lie is told by their borders: what isn't even of them would speak against even pieces.
-    sum += cost_of_piece(sub_patch(patch, faces), sub_folds(patch, folds, faces), one_part, weights);
-  }
-  return sum;
-}
-
 std::vector<std::int8_t> images_outside(const mesh::Surface& surface, const Patch& patch,
                                         const IdVector<EdgeId, EdgeId>& images,
                                         const IdVector<EdgeId, InForest>& edges) {

@@ -22,9 +22,6 @@ namespace ridgecraft::unfold {
 inline constexpr double seen_as_image = 0.02;
 /// Larger models are searched without regard to symmetry: finding it would take as long as all else.
 inline constexpr std::size_t most_faces_of_images = 20'000;
-/// Forests whose costs differ by less, mm, differ by rounding.
-inline constexpr double same_cost_mm = 1e-6;
-
 /// What lies on what at the plane of a model.
 struct MirrorImages {
   IdVector<EdgeId, EdgeId> edge;  ///< of each edge; empty where the model has no such plane
@@ -47,16 +44,6 @@ enum class InForest : std::int8_t { fold = -1, fixed = 0, cut = 1 };
 /// What each edge is; `fixed` where it can't be exchanged. O(n log n).
 [[nodiscard]] IdVector<EdgeId, InForest> edges_in_forest(const mesh::Surface& surface, const Patch& whole,
                                                          const Folds& folds);
-
-/// Length of the cuts whose image is a fold, mm. O(n).
-[[nodiscard]] double unevenness(const mesh::Surface& surface, const IdVector<EdgeId, InForest>& edges,
-                                const IdVector<EdgeId, EdgeId>& images);
-
-/// What all pieces of a forest cost (energy/piece_cost.hpp), and Weights::mirror for each mm of cut whose
-/// image is none, by each of `images`. O(n log n).
-[[nodiscard]] double cost_of_forest(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                                    std::span<const IdVector<EdgeId, EdgeId>* const> images,
-                                    const Weights& weights);
 
 /// Per side of a patch: what the mirror image of its edge is, as InForest, where that lies outside the patch;
 /// 0 for all others. O(n log n).

@@ -42,6 +42,12 @@ std::vector<PieceBorder> piece_borders(const Patch& patch, std::span<const std::
 
 namespace {
 
+struct NetsToJoin {
+  std::size_t parts = 1;                                       ///< of how many parts the two have faces
+  double tolerance = 0.0;                                      ///< mm
+  double most_cost = std::numeric_limits<double>::infinity();  ///< what the one may cost (piece_cost.hpp)
+};
+
 /// Cuts at which two pieces are tried to be joined.
 constexpr std::size_t shared_cuts_tried = 24;
 
@@ -63,8 +69,9 @@ std::vector<std::uint32_t> shared_cuts(const Patch& both, const Folds& apart) {
   return cuts;
 }
 
-}  // namespace
-
+/// The patch of two pieces and its two trees: the tree that a fold over one of the longest cuts between them
+/// makes, without overlap and such that it fits the room, the cheapest of those below most_cost. `work` is
+/// the number of faces that may be laid flat, and is taken down by those that were.
 std::optional<Folds> join_as_they_are(const Patch& both, const Folds& apart, const Room& room,
                                       const Weights& weights, const NetsToJoin& rules, std::size_t& work) {
   double limit = rules.most_cost;
@@ -87,8 +94,6 @@ std::optional<Folds> join_as_they_are(const Patch& both, const Folds& apart, con
   }
   return best;
 }
-
-namespace {
 
 /// Faces times iterations of all unions that are unfolded afresh, and faces of all that are joined as they
 /// are: about two seconds each.

@@ -11,7 +11,6 @@
 #include "unfold/pieces/fewest_pieces.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/search/net_search.hpp"
-#include "unfold/search/one_piece.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -62,8 +61,6 @@ std::size_t attempts_for(std::uint32_t faces) {
   return faces <= 500 ? attempt_kinds.size() : faces <= 1500 ? 4 : faces <= 3000 ? 2 : 1;
 }
 
-/// Changes of shape that are tried for a net that is larger than the sheet.
-constexpr std::uint64_t fit_trials = 400;
 /// Faces times iterations, about 0.5 s, after which no more of them are made: spiky solids take long each
 /// time.
 constexpr std::uint64_t attempts_cost = 2'000'000;
@@ -156,13 +153,6 @@ class PatchUnfolder {
   /// Makes a clean forest fit the room and keeps it if it is better than the best so far.
   void propose(const Folds& clean) {
     Folds folds = clean;
-    const bool single = cost_of(patch_, folds).pieces == 1;
-    if (single && room_.sheet && !all_fit(patch_, folds, room_)) {
-      // Where even one piece might do, a net is bent a little before it is split.
-      if (least_pieces_ == 1) {
-        folds = shrink_to_fit(patch_, folds, room_, tolerance_, fit_trials, random_.next(), context_);
-      }
-    }
     if (!clean_ || cost_of(patch_, clean) < cost_of(patch_, *clean_)) {
       clean_ = clean;
       clean_pieces_ = cost_of(patch_, clean).pieces;

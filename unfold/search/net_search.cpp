@@ -118,17 +118,14 @@ class Race {
   NetFound run() {
     while (!finished()) {
       join();
-      if (runners_.size() == 1 && runners_.front().counted == 0 && no_tree_is_better()) {
-        break;
-      }
       round();
     }
     NetFound found;
     found.overlaps = std::numeric_limits<std::uint64_t>::max();
     found.starts = static_cast<int>(runners_.size());
     found.iterations = iterations_;
-    found.hopeless = hopeless_ || std::all_of(runners_.begin(), runners_.end(),
-                                              [](const Runner& runner) { return runner.search->hopeless(); });
+    found.hopeless = std::all_of(runners_.begin(), runners_.end(),
+                                 [](const Runner& runner) { return runner.search->hopeless(); });
     for (const Runner& runner : runners_) {
       if (runner.overlaps < found.overlaps) {
         found.overlaps = runner.overlaps;
@@ -155,19 +152,6 @@ class Race {
     const bool all_started = runners_.size() >= static_cast<std::size_t>(options_.starts);
     return won_ || (all_stopped && all_started) || given_up() || iterations_ >= options_.iterations ||
            context_.out_of_time();
-  }
-
-  /// Whether the first tree overlaps and all others would in the same places: what a search would come to in
-  /// the end. It counts as made, since what else may be tried depends on its cost.
-  bool no_tree_is_better() {
-    Runner& runner = runners_.front();
-    if (runner.search->overlaps() == 0 || !lies_one_way(patch_, runner.search->folds(), options_.tolerance)) {
-      return false;
-    }
-    runner.overlaps = runner.search->overlaps();
-    iterations_ = options_.iterations;
-    hopeless_ = runner.search->hopeless_after(iterations_);
-    return true;
   }
 
   /// Whether a start has come to its end far from a net: then others would, too.
@@ -241,7 +225,6 @@ class Race {
   std::vector<Runner> runners_;
   std::uint64_t iterations_ = 0;
   bool won_ = false;
-  bool hopeless_ = false;
 };
 
 }  // namespace

@@ -96,8 +96,8 @@ bool TreeSearch::run(const Budget& budget, const Context& context) {
   return true;
 }
 
-bool TreeSearch::hopeless_after(std::uint64_t iterations) const {
-  return iterations >= std::max<std::uint64_t>(iterations_to_judge, 2 * std::uint64_t{patch_.size()}) &&
+bool TreeSearch::hopeless() const {
+  return iteration_ >= std::max<std::uint64_t>(iterations_to_judge, 2 * std::uint64_t{patch_.size()}) &&
          static_cast<double>(best_total_) > hopeless_pairs_per_face * patch_.size();
 }
 

@@ -70,9 +70,7 @@ class TreeSearch {
   [[nodiscard]] std::uint64_t best_overlaps() const { return best_total_; }
   [[nodiscard]] std::uint64_t iterations() const { return iteration_; }
   /// Whether far more is left than ever was when a net was found in the end.
-  [[nodiscard]] bool hopeless() const { return hopeless_after(iteration_); }
-  /// The same if so many iterations had been made and hadn't found a better tree.
-  [[nodiscard]] bool hopeless_after(std::uint64_t iterations) const;
+  [[nodiscard]] bool hopeless() const;
 
  private:
   /// Remove the fold above `below`, fold `side` instead: it belongs to a face of below's subtree, its twin

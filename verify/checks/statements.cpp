@@ -3,7 +3,6 @@
 // made; others need not have our keys, nor our way to name things.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -122,18 +121,16 @@ void check_statements(const Case& given, Findings& findings) {
   StatementCheck(given, findings).run();
 }
 
-// Promise 8: pieces that are said to be equal can be laid on each other, with their folds and tabs, but for
-// tabs between them where that is said.
+// Promise 8: pieces that are said to be equal can be laid on each other, with their folds, and with their
+// tabs unless these are said to differ.
 
 namespace {
 
 struct Stroke {
   Vec2 from, to;
   double angle_deg = 0.0;  ///< of a fold; what isn't one has an angle that no fold has
-  Index other = none;      ///< of a tab or its slit: which other piece is glued there
 };
 
-constexpr std::size_t no_kind = std::numeric_limits<std::size_t>::max();
 constexpr double cut_angle = 1000.0;
 constexpr double tab_angle = 2000.0;
 
@@ -166,33 +163,29 @@ class EqualPieceCheck {
       : file_(given.file),
         relations_(given.relations),
         findings_(findings),
-        kind_(given.file.pieces.size(), no_kind) {}
+        named_(given.file.pieces.size(), false) {}
 
   void run() {
     if (file_.equal.empty()) {
       return;
     }
     gather();
-    for (std::size_t k = 0; k < file_.equal.size(); ++k) {
-      for (const EqualPiece& equal : file_.equal[k]) {
-        if (kind_[equal.piece] != no_kind) {
+    for (const std::vector<EqualPiece>& kind : file_.equal) {
+      for (const EqualPiece& equal : kind) {
+        if (named_[equal.piece]) {
           findings_.add(Promise::statements, {{"piece", equal.piece}}, [&] {
             return fmt::format("{} is named twice among equal pieces", piece_name(file_, equal.piece));
           });
         }
-        kind_[equal.piece] = k;
+        named_[equal.piece] = true;
       }
     }
     for (const std::vector<EqualPiece>& kind : file_.equal) {
-      const bool differs =
-          std::any_of(kind.begin(), kind.end(), [](const EqualPiece& e) { return e.other_tabs; });
-      const Sheet first_outward = differs ? outward(kind.front().piece) : Sheet();
       for (std::size_t i = 1; i < kind.size(); ++i) {
         const Index first = kind.front().piece;
         const Index piece = kind[i].piece;
-        const bool equal = kind[i].other_tabs ? are_equal(first_outward, outward(piece), kind[i].mirrored)
-                                              : are_equal(sheets_[first], sheets_[piece], kind[i].mirrored);
-        if (!equal) {
+        const bool tabs = !kind[i].other_tabs;
+        if (!are_equal(lines_of(first, tabs), lines_of(piece, tabs), kind[i].mirrored)) {
           findings_.add(Promise::statements, {{"piece", first}, {"piece", piece}}, [&] {
             return fmt::format("{} is said to be {} {}, and isn't", piece_name(file_, piece),
                                kind[i].mirrored ? "a mirror image of" : "equal to", piece_name(file_, first));
@@ -231,36 +224,21 @@ class EqualPieceCheck {
     }
   }
 
-  /// The piece that each edge is glued to, or none.
-  [[nodiscard]] std::vector<Index> pieces_across() const {
-    std::vector<Index> across(file_.edges.size(), none);
-    for (const Join& join : file_.joins) {
-      for (const std::size_t k : {0U, 1U}) {
-        if (const auto sides = relations_.sides_of(join.edges[1 - k]); !sides.empty()) {
-          across[join.edges[k]] = file_.face_piece[file_.faces.face(sides.front())];
-        }
-      }
-    }
-    return across;
-  }
-
   void gather_tabs() {
-    const std::vector<Index> across = pieces_across();
     for (Index t = 0; t < file_.tabs.size(); ++t) {
       const std::vector<Vec2>& polygon = file_.tabs[t].polygon;
       if (relations_.sides_of(file_.tabs[t].edge).empty()) {
         continue;
       }
       const Index own = file_.face_piece[face_of_tab(file_, relations_, t)];
-      const Index other = across[file_.tabs[t].edge] == own ? none : across[file_.tabs[t].edge];
       Sheet& sheet = sheets_[own];
       for (std::size_t i = 0; i < polygon.size(); ++i) {
-        sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle, other});
+        sheet.strokes.push_back({polygon[i], polygon[(i + 1) % polygon.size()], tab_angle});
       }
       if (const Index side = target_of_slit(file_, relations_, t); side != none) {
         const auto& slit = *file_.tabs[t].slit;
         const Index target = file_.face_piece[file_.faces.face(side)];
-        sheets_[target].strokes.push_back({slit[0], slit[1], tab_angle, target == own ? none : own});
+        sheets_[target].strokes.push_back({slit[0], slit[1], tab_angle});
       }
     }
   }
@@ -272,13 +250,12 @@ class EqualPieceCheck {
               [&](std::size_t i, std::size_t k) { return key(sheet.strokes[i]) < key(sheet.strokes[k]); });
   }
 
-  /// A piece without its tabs on edges where it is glued to others of its kind.
-  [[nodiscard]] Sheet outward(Index piece) const {
+  [[nodiscard]] Sheet lines_of(Index piece, bool with_tabs) const {
     Sheet sheet = sheets_[piece];
-    std::erase_if(sheet.strokes, [&](const Stroke& stroke) {
-      return stroke.other != none && kind_[stroke.other] == kind_[piece];
-    });
-    put_in_order(sheet);
+    if (!with_tabs) {
+      std::erase_if(sheet.strokes, [](const Stroke& stroke) { return stroke.angle_deg == tab_angle; });
+      put_in_order(sheet);
+    }
     return sheet;
   }
 
@@ -360,7 +337,7 @@ class EqualPieceCheck {
   const Relations& relations_;
   Findings& findings_;
   std::vector<Sheet> sheets_;
-  std::vector<std::size_t> kind_;  ///< of each piece
+  std::vector<bool> named_;  ///< per piece: among equal pieces
 };
 
 }  // namespace

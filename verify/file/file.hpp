@@ -100,7 +100,7 @@ struct Piece {
 struct EqualPiece {
   Index piece = 0;
   bool mirrored = false;
-  bool other_tabs = false;  ///< on edges where it is glued to others of its kind
+  bool other_tabs = false;  ///< than the first of its kind
 };
 
 /// Pieces that are glued to those of the steps before.

@@ -10,7 +10,6 @@
 #include "base/geometry.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/tabs/place/assignment.hpp"
-#include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
@@ -182,6 +181,17 @@ std::vector<TabGap> TabGaps::gaps(const Nets& nets, std::span<const JoinId> join
 }
 
 namespace {
+
+/// The mirror image of a tab on an edge of this length.
+ConvexShape turned_over(const ConvexShape& shape, double length) {
+  ConvexShape result;
+  for (std::uint32_t i = 0; i < shape.size(); ++i) {
+    // The corners stay counterclockwise, and the first two on the base.
+    const Vec2 p = shape[(shape.size() + 1 - i) % shape.size()];
+    result.push_back({length - p.x, p.y});
+  }
+  return result;
+}
 
 class MoreTabs {
  public:

@@ -7,7 +7,6 @@
 
 #include "base/elementary.hpp"
 #include "unfold/tabs/place/assignment.hpp"
-#include "unfold/tabs/place/even_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
 
 namespace ridgecraft::unfold {
@@ -141,8 +140,7 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
       add_walls(*rooms[site.piece.value()], highest, site);
     }
   }
-  auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
-  even_tabs(surface, nets, sites, options, wishes, chosen);
+  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
