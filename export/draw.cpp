@@ -10,7 +10,6 @@
 #include "export/export.hpp"
 #include "export/page/furniture.hpp"
 #include "export/page/glue_outlines.hpp"
-#include "export/page/list_rows.hpp"
 #include "export/page/lists.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/page/texts.hpp"
@@ -85,7 +84,6 @@ class PageDrawer {
         contents_(piece_contents(surface_, nets)),
         pieces_(pages.count),
         piece_ids_(pages.count),
-        lists_(pages.count),
         backs_(pages.count) {}
 
   /// `known`: pictures of an earlier drawing, or nothing.
@@ -98,7 +96,8 @@ class PageDrawer {
       report_listed(page);
       draw_tab_shadows(page);
     }
-    place_lists();
+    lists_ = place_lists({surface_, nets_, pages_, report_.kinds, pieces_});
+    report_.list_pages = lists_.size() - pages_.count;
     if (style_.numbers == Numbers::back) {
       for (std::size_t page = 0; page < pages_.count; ++page) {
         backs_[page] = take_to_back(pieces_[page], pages_.paper.size, style_.turned_over);
@@ -107,7 +106,7 @@ class PageDrawer {
     report_.pictures =
         paint_pieces(model_, nets_, contents_, pages_, style_, piece_ids_, pieces_, known, context_);
     collect_groups();
-    add_list_pages();
+    drawings_.resize(lists_.size());
     finish_pages();
     return std::move(drawings_);
   }
@@ -154,44 +153,12 @@ class PageDrawer {
     }
   }
 
-  void place_lists() {
-    const auto neighbours = find_neighbours(surface_, nets_);
-    for (std::size_t page = 0; page < pages_.count; ++page) {
-      const ListedPage listed{nets_, pages_, PageId(page), neighbours, report_.kinds, pieces_[page]};
-      PageIndex index = page_index(listed, {});
-      // All that pages have no room for stands on the last one, if all of it finds room there.
-      if (page + 1 == pages_.count && !unplaced_.empty()) {
-        if (PageIndex joint = page_index(listed, unplaced_); joint.left.empty()) {
-          index = std::move(joint);
-          unplaced_ = {};
-        }
-      }
-      lists_[page] = std::move(index.texts);
-      unplaced_.add(index.left, page + 1, pages_.count > 1);
-    }
-    // Where all pieces lie on one page, anybody sees where an edge goes on: that is worth no page.
-    if (pages_.count == 1 && unplaced_.numbers.empty()) {
-      unplaced_ = {};
-    }
-  }
-
   void collect_groups() {
     for (std::vector<PieceDrawing>& on_page : pieces_) {
       drawings_.emplace_back();
       for (PieceDrawing& piece : on_page) {
         drawings_.back().groups.push_back(std::move(piece.group));
       }
-    }
-  }
-
-  void add_list_pages() {
-    if (!can_list_) {
-      return;
-    }
-    for (std::vector<Text>& list : list_pages(unplaced_, pages_.paper)) {
-      lists_.push_back(std::move(list));
-      drawings_.emplace_back();
-      ++report_.list_pages;
     }
   }
 
@@ -237,7 +204,6 @@ class PageDrawer {
   std::vector<std::vector<PieceId>> piece_ids_;    ///< which these are
   std::vector<std::vector<Text>> lists_;           ///< of each page, list pages included
   std::vector<std::vector<Group>> backs_;
-  PageLists unplaced_;  ///< for which pages have no room
   std::vector<Drawing> drawings_;
   DrawReport report_;
 };

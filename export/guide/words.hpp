@@ -23,12 +23,6 @@ enum class Weight { plain, bold };
 /// A text whose baseline ends at `at`.
 [[nodiscard]] Text words_to(std::string_view words, Vec2 at, double height, Weight weight = Weight::plain);
 
-/// Rows no wider than `width`, mm; a word that is wider by itself has a row of its own.
-[[nodiscard]] std::vector<std::string> wrapped(std::string_view words, double width, double height);
-
-/// As many of the letters as have room, with "…" at the end where some haven't.
-[[nodiscard]] std::string shortened(std::string_view words, double width, double height);
-
 struct Callout {
   std::string words;
   Vec2 anchor;  ///< on the page

@@ -163,24 +163,8 @@ class FurnitureMaker {
       text(hint_words, {right_ - page_width - neighbour_gap - hint_width, y}, text_height);
       room -= hint_width + neighbour_gap;
     }
-    title_text(y, room);
-  }
-
-  void title_text(double y, double room) {
-    std::vector<char32_t> codes = code_points(title_);
-    const auto utf8 = [&](std::string_view end) {
-      std::string words;
-      for (const char32_t code : codes) {
-        append_utf8(words, code);
-      }
-      return words + std::string(end);
-    };
-    std::string words = utf8("");
-    while (!codes.empty() && text_width(words, title_height) > room) {
-      codes.pop_back();
-      words = utf8("…");
-    }
-    if (!codes.empty()) {
+    const std::string words = shortened(title_, room, title_height);
+    if (text_width(words, title_height) <= room) {
       text(words, {left_, y}, title_height);
     }
   }

@@ -61,138 +61,6 @@ std::vector<Segment2> beside_texts(const Segment2& line, const std::vector<Text>
   return parts;
 }
 
-constexpr std::array<double, 6> spot_name_heights{5.0, 3.5, 2.9, 2.4, 2.0, 1.6};
-constexpr double leader_text_height = 2.5;  ///< of a name beside its outline, mm
-constexpr double spot_clearance = 0.5;      ///< from lines, mm
-constexpr int steps = 14;                   ///< of the grid of places in an outline's box, each way
-
-/// Places inside the outlines, those near their middle first.
-std::vector<Vec2> places_in(const std::vector<std::vector<Vec2>>& outlines) {
-  const Box2 box = box_of(outlines);
-  const Vec2 middle = 0.5 * (box.low + box.high);
-  std::vector<Vec2> places;
-  for (int i = 0; i <= steps; ++i) {
-    for (int k = 0; k <= steps; ++k) {
-      const Vec2 p = box.low + Vec2{box.size().x * i / steps, box.size().y * k / steps};
-      if (inside(outlines, p)) {
-        places.push_back(p);
-      }
-    }
-  }
-  std::ranges::stable_sort(places, {}, [&](Vec2 p) { return length(p - middle); });
-  return places;
-}
-
-bool on_area(const TurnedBox& box, const Box2& area) {
-  const Box2 bounds = box.bounds();
-  return bounds.low.x >= area.low.x && bounds.low.y >= area.low.y && bounds.high.x <= area.high.x &&
-         bounds.high.y <= area.high.y;
-}
-
-Text name_of(const GlueSpot& spot, double height) {
-  // As with names of pieces, the line below tells which side is up.
-  return {Layer::glue, spot.name, {}, height, 0.0, true};
-}
-
-bool put(const Text& text, PieceDrawing& piece, const Box2& area, Obstacles& obstacles) {
-  if (!on_area(box_of(text), area) || !obstacles.is_free(text, spot_clearance)) {
-    return false;
-  }
-  obstacles.add(text);
-  piece.group.texts.push_back(text);
-  return true;
-}
-
-bool place_inside(const GlueSpot& spot, PieceDrawing& piece, const Box2& area, Obstacles& obstacles) {
-  const std::vector<Vec2> places = places_in(spot.outlines);
-  for (const double height : spot_name_heights) {
-    for (const Vec2 place : places) {
-      Text text = name_of(spot, height);
-      text.centre = place;
-      if (put(text, piece, area, obstacles)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-bool place_beside(const GlueSpot& spot, PieceDrawing& piece, const Box2& area, Obstacles& obstacles) {
-  std::vector<Segment2> edges;
-  for (const std::vector<Vec2>& outline : spot.outlines) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      edges.push_back({outline[i], outline[(i + 1) % outline.size()]});
-    }
-  }
-  std::ranges::stable_sort(edges, std::ranges::greater{},
-                           [](const Segment2& s) { return length(s.b - s.a); });
-  constexpr std::size_t most_edges = 8;
-  edges.resize(std::min(edges.size(), most_edges));
-  for (int reach = 3; reach < 18; ++reach) {  // mm
-    for (const Segment2& edge : edges) {
-      const Vec2 middle = 0.5 * (edge.a + edge.b);
-      const Vec2 out = -perpendicular(edge.b - edge.a) / length(edge.b - edge.a);
-      Text text = name_of(spot, leader_text_height);
-      text.centre = middle + reach * out;
-      const TurnedBox box = box_of(text).grown(spot_clearance);
-      const Vec2 tip{std::clamp(middle.x, box.centre.x - box.half_width, box.centre.x + box.half_width),
-                     std::clamp(middle.y, box.centre.y - box.half_height, box.centre.y + box.half_height)};
-      const Segment2 leader{middle + off_the_edge_mm * out, tip};
-      if (can_lead(leader, out, obstacles) && obstacles.is_free(leader, false) &&
-          put(text, piece, area, obstacles)) {
-        draw_leader(leader, piece, obstacles);
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
-
-void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
-                   PieceDrawing& piece) {
-  DrawnLines drawn;
-  for (const Line& line : piece.group.lines) {
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      drawn.add({line.points[i - 1], line.points[i]});
-    }
-    if (line.closed) {
-      drawn.add({line.points.back(), line.points.front()});
-    }
-  }
-  GlueSpot spot{name, {}, false};
-  for (std::vector<Vec2> outline : contact.outlines) {
-    std::ranges::transform(outline, outline.begin(), placement);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      for (const Segment2& part : drawn.free_parts({outline[i], outline[(i + 1) % outline.size()]})) {
-        drawn.add(part);
-        piece.group.lines.push_back({Layer::glue, {part.a, part.b}, false, Fold::none});
-      }
-    }
-    spot.outlines.push_back(std::move(outline));
-  }
-  piece.spots.push_back(std::move(spot));
-}
-
-void place_spot_names(PieceDrawing& piece, const Box2& area, Obstacles& obstacles) {
-  for (GlueSpot& spot : piece.spots) {
-    spot.named = place_inside(spot, piece, area, obstacles) || place_beside(spot, piece, area, obstacles);
-  }
-}
-
-std::string spot_row(const PieceDrawing& piece) {
-  std::string row;
-  for (const GlueSpot& spot : piece.spots) {
-    if (!spot.named) {
-      row += (row.empty() ? piece.name + ": within short dashes " : ", ") + spot.name;
-    }
-  }
-  return row;
-}
-
-namespace {
-
 /// The tab as it lies behind the face at the other side of its edge, in the plane of that face's piece.
 std::vector<Vec2> glued(const mesh::Surface& surface, const unfold::Nets& nets, const unfold::Tab& tab) {
   const auto corner = [&](CornerId c) { return nets.flat[mesh::face_of(c)][c.value() % 3]; };
@@ -211,6 +79,28 @@ std::vector<Vec2> glued(const mesh::Surface& surface, const unfold::Nets& nets, 
 }
 
 }  // namespace
+
+void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
+                   PieceDrawing& piece) {
+  DrawnLines drawn;
+  for (const Line& line : piece.group.lines) {
+    for (const Segment2& segment : segments_of(line)) {
+      drawn.add(segment);
+    }
+  }
+  GlueSpot spot{name, {}, false};
+  for (std::vector<Vec2> outline : contact.outlines) {
+    std::ranges::transform(outline, outline.begin(), placement);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      for (const Segment2& part : drawn.free_parts({outline[i], outline[(i + 1) % outline.size()]})) {
+        drawn.add(part);
+        piece.group.lines.push_back({Layer::glue, {part.a, part.b}, false, Fold::none});
+      }
+    }
+    spot.outlines.push_back(std::move(outline));
+  }
+  piece.spots.push_back(std::move(spot));
+}
 
 void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
                      const PieceContents& contents, const Placement& placement, PieceDrawing& drawing) {

@@ -17,14 +17,6 @@ namespace ridgecraft::export_ {
 void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
                    PieceDrawing& piece);
 
-/// Puts the names of what is glued on into their outlines, or beside them with a leader. A name without room
-/// is marked so in its spot (GlueSpot::named).
-void place_spot_names(PieceDrawing& piece, const Box2& area, Obstacles& obstacles);
-
-/// "A: within dashes B, C": what is glued on a piece and has no room for its name there; empty where all
-/// have.
-[[nodiscard]] std::string spot_row(const PieceDrawing& piece);
-
 /// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
 /// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side
 /// have none, since these are glued to each other. O(joins x texts of the piece).

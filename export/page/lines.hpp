@@ -20,6 +20,24 @@ struct Segment2 {
   Vec2 b;
 };
 
+/// The straight stretches of a line, the closing one last. O(points).
+[[nodiscard]] inline std::vector<Segment2> segments_of(const Line& line) {
+  std::vector<Segment2> segments;
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    segments.push_back({line.points[i - 1], line.points[i]});
+  }
+  if (line.closed) {
+    segments.push_back({line.points.back(), line.points.front()});
+  }
+  return segments;
+}
+
+/// Whether a box reaches out of another one nowhere.
+[[nodiscard]] inline bool lies_within(const Box2& part, const Box2& whole) {
+  return part.low.x >= whole.low.x && part.low.y >= whole.low.y && part.high.x <= whole.high.x &&
+         part.high.y <= whole.high.y;
+}
+
 /// Lines nearer than this to each other are one line on paper, mm: a twentieth of a pen's width. A stretch
 /// along which two lines lie so is drawn once.
 inline constexpr double same_line_mm = 0.0105;

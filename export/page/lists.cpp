@@ -5,418 +5,427 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <string>
-#include <string_view>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "export/page/glue_outlines.hpp"
-#include "export/page/list_rows.hpp"
+#include "export/page/lines.hpp"
+#include "export/page/obstacles.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::export_ {
 namespace {
 
-/// Widths of lists that are tried, shares of the printable width.
-constexpr std::array<double, 4> index_widths{0.95, 0.62, 0.42, 0.28};
-constexpr std::array<double, 6> number_widths{0.95, 0.62, 0.42, 0.28, 0.2, 0.16};
-/// A longer list would be a page of its own.
-constexpr std::size_t most_rows = 40;
+constexpr double text_height_mm = 1.9;
+constexpr double row_height_mm = 3.1;  ///< baseline to baseline
+/// Of rows after the first one of an entry.
+constexpr double indent_mm = 2.4;
+/// Narrower or lower paper holds no list, mm.
+constexpr double least_width = 40.0;
+constexpr double least_height = 20.0;
+
 constexpr std::string_view closing_words = "an edge without a number is glued to the one beside it";
 constexpr std::string_view brief_heading = "where the other edges are";
 
-/// How much an index says.
-struct IndexForm {
-  bool numbers = true;  ///< by which each piece is glued to the others
-  bool closing = true;  ///< what edges without a number are
+std::string text_of(const ListRow& row) {
+  const std::string words = fmt::format("{}", fmt::join(row.words, "; "));
+  return row.of.empty() ? words : row.of + ": " + words;
+}
+
+/// Rows of a page's lists.
+struct PageLists {
+  std::vector<ListRow> unmarked;   ///< numbers that stand nowhere on their pieces
+  std::vector<ListRow> partners;   ///< where the other edges are
+  std::vector<std::string> kinds;  ///< which pieces are alike
 };
-/// In the order in which they are tried.
-constexpr std::array<IndexForm, 4> index_forms{{{true, true}, {true, false}, {false, true}, {false, false}}};
 
-/// "B 5-9, 13; page 2: C 60-67; D 3": the page's own pieces first. `each_page`: "page 2: D 3", since each
-/// stands in a line of its own.
-std::string partners(const ListedPage& from, std::vector<Neighbour> neighbours, bool with_numbers,
-                     bool each_page) {
-  const auto page_of = [&](const Neighbour& n) { return from.pages.placements[n.piece].page; };
-  std::stable_sort(neighbours.begin(), neighbours.end(), [&](const Neighbour& a, const Neighbour& b) {
-    return std::pair(page_of(a) != from.page, page_of(a)) < std::pair(page_of(b) != from.page, page_of(b));
-  });
-  std::string text;
-  PageId page = from.page;
-  for (const Neighbour& neighbour : neighbours) {
-    const bool other_page = page_of(neighbour) != page || (each_page && page_of(neighbour) != from.page);
-    page = page_of(neighbour);
-    text += text.empty() ? "" : other_page || with_numbers ? "; " : ", ";
-    text += other_page ? "page " + std::to_string(page.value() + 1) + ": " : "";
-    text += from.nets.pieces[neighbour.piece].name;
-    text += with_numbers ? " " + number_ranges(neighbour.numbers) : "";
-  }
-  return text;
-}
-
-/// Which pieces of the page there are several of, on whatever page.
-std::vector<std::string> kinds_on_page(const ListedPage& from) {
-  constexpr std::size_t most_names = 12;
-  std::vector<std::string> rows;
-  for (std::size_t i = 0; i < from.kinds.size(); ++i) {
-    const bool here = std::ranges::any_of(from.nets.equal[i], [&](const unfold::EqualPiece& equal) {
-      return from.pages.placements[equal.piece].page == from.page;
-    });
-    if (here) {
-      rows.push_back(kind_words(from.nets, from.kinds[i], most_names));
-    }
-  }
-  return rows;
-}
-
-bool has_closing_edges(const PieceDrawing& piece) {
-  return std::ranges::any_of(piece.seams, [](const Seam& s) { return s.at == NumberAt::closing; });
-}
-
-/// Of each piece with numbers, or names of what is glued on, that have no room.
-std::vector<std::string> number_rows(const std::vector<PieceDrawing>& pieces) {
-  std::vector<std::string> rows;
-  for (const PieceDrawing& piece : pieces) {
-    for (std::string& row : std::array{number_row(piece), spot_row(piece)}) {
-      if (!row.empty()) {
-        rows.push_back(std::move(row));
-      }
-    }
-  }
-  return rows;
-}
-
-void add_missing(std::vector<std::string>& rows, const std::vector<std::string>& more) {
-  for (const std::string& row : more) {
-    if (std::ranges::find(rows, row) == rows.end()) {
-      rows.push_back(row);
-    }
-  }
-}
-
-/// Puts a page's lists where the page has room.
-class ListPlacer {
+/// All that is drawn on a page, and where its pieces are. Keeps a reference to these.
+class FreeSpace {
  public:
-  ListPlacer(const ListedPage& page, const PageLists& others)
-      : page_(page), others_(others), room_(page.pages.paper, page.pieces) {
-    kinds_ = kinds_on_page(page);
-    add_missing(kinds_, others.kinds);
-    numbers_ = number_rows(page.pieces);
-    numbers_.insert(numbers_.end(), others.numbers.begin(), others.numbers.end());
-    for (const PieceId piece : ids<PieceId>(page.nets.pieces.size())) {
-      if (page.pages.placements[piece].page == page.page && !page.neighbours[piece].empty()) {
-        listed_.push_back(piece);
+  FreeSpace(const Paper& paper, const std::vector<PieceDrawing>& pieces)
+      : area_(piece_box(paper)), obstacles_(paper.size), pieces_(pieces) {
+    for (const PieceDrawing& piece : pieces) {
+      for (const Line& line : piece.group.lines) {
+        for (const Segment2& segment : segments_of(line)) {
+          obstacles_.add(segment, Obstacles::Kind::cut);
+        }
       }
+      add(piece.group.texts);
     }
   }
 
-  PageIndex place() && {
-    if (!place_numbers()) {
-      index_.left.numbers = std::move(numbers_);
+  /// The paragraphs in one column, at the lowest place that has room for it in one of some widths, the
+  /// leftmost of those. Empty where there is none. O(places tried x texts).
+  [[nodiscard]] std::vector<Text> place(const std::vector<std::string>& paragraphs) {
+    constexpr std::array widths{0.95, 0.62, 0.42, 0.28, 0.2, 0.16};  // shares of the printable width
+    constexpr std::size_t most_rows = 40;  // a longer list would be a page of its own
+    for (const double share : widths) {
+      const std::vector<Text> column = column_of(paragraphs, share * area_.size().x);
+      if (column.size() <= most_rows) {
+        if (std::vector<Text> texts = lowest(column); !texts.empty()) {
+          add(texts);
+          return texts;
+        }
+      }
     }
-    if (!std::ranges::any_of(index_forms, [&](const IndexForm& form) { return place_index(form); })) {
-      index_.left.kinds = std::move(kinds_);
-      index_.left.partners = partner_rows({}, true);
-    }
-    return std::move(index_);
+    return {};
   }
 
  private:
-  bool place_numbers() {
-    return place(number_widths, [&](double width) {
-      std::vector<std::string> rows;
-      if (!numbers_.empty()) {
-        append_wrapped(rows, number_list_heading, width);
-      }
-      append_all(rows, numbers_, width);
-      return rows;
-    });
-  }
-
-  bool place_index(const IndexForm& form) {
-    return place(index_widths, [&](double width) {
-      std::vector<std::string> rows;
-      append_all(rows, kinds_, width);
-      if (form.closing && std::ranges::any_of(page_.pieces, has_closing_edges)) {
-        append_wrapped(rows, closing_words, width);
-      }
-      if (!listed_.empty() || !others_.partners.empty()) {
-        rows.emplace_back(form.numbers ? partner_list_heading : brief_heading);
-      }
-      append_all(rows, partner_rows(form, false), width);
-      return rows;
-    });
-  }
-
-  /// "A: B 5-9, 13" for each piece, and what other pages have no room for.
-  [[nodiscard]] std::vector<std::string> partner_rows(const IndexForm& form, bool each_page) const {
-    std::vector<std::string> rows;
-    for (const PieceId piece : listed_) {
-      rows.push_back(page_.nets.pieces[piece].name + ": " +
-                     partners(page_, page_.neighbours[piece], form.numbers, each_page));
+  void add(const std::vector<Text>& texts) {
+    for (const Text& text : texts) {
+      obstacles_.add(text);
     }
-    rows.insert(rows.end(), others_.partners.begin(), others_.partners.end());
+  }
+
+  /// Rows below each other, their upper left corner at the origin.
+  static std::vector<Text> column_of(const std::vector<std::string>& paragraphs, double width) {
+    std::vector<Text> texts;
+    double y = -0.5 * text_height_mm;
+    for (const std::string& paragraph : paragraphs) {
+      double left = 0.0;
+      for (const std::string& row : wrapped(paragraph, width, text_height_mm, indent_mm)) {
+        const double middle = left + 0.5 * text_width(row, text_height_mm);
+        texts.push_back({Layer::mark, row, {middle, y}, text_height_mm});
+        y -= row_height_mm;
+        left = indent_mm;
+      }
+    }
+    return texts;
+  }
+
+  [[nodiscard]] std::vector<Text> lowest(std::vector<Text> texts) const {
+    constexpr double step = 5.0;  // between places that are tried, mm
+    Box2 box;
+    std::vector<TurnedBox> from_centre;  // what each text covers around its own centre
+    for (const Text& text : texts) {
+      TurnedBox own = box_of(text);
+      box.add(own.bounds().low);
+      box.add(own.bounds().high);
+      own.centre = own.centre - text.centre;
+      from_centre.push_back(own);
+    }
+    for (double y = area_.low.y; y + box.size().y <= area_.high.y; y += step) {
+      for (double x = area_.low.x; x + box.size().x <= area_.high.x; x += step) {
+        const Vec2 shift = Vec2{x, y} - box.low;
+        std::size_t free = 0;
+        while (free < texts.size() && is_free(from_centre[free], texts[free].centre + shift)) {
+          ++free;
+        }
+        if (free == texts.size()) {
+          std::ranges::for_each(texts, [&](Text& text) { text.centre += shift; });
+          return texts;
+        }
+      }
+    }
+    return {};
+  }
+
+  /// Whether there is room for a text that covers `text` around its centre.
+  [[nodiscard]] bool is_free(TurnedBox text, Vec2 centre) const {
+    constexpr double clearance = 2.5;  // from lines and texts of the page, mm
+    text.centre += centre;
+    // The foot lies below the area: it needs no more than the distance to a line.
+    return obstacles_.is_free(text, text_height_mm, 0.5 * row_height_mm, clearance) &&
+           std::ranges::none_of(pieces_, [&](const PieceDrawing& piece) { return lies_on(piece, centre); });
+  }
+
+  Box2 area_;
+  Obstacles obstacles_;
+  const std::vector<PieceDrawing>& pieces_;
+};
+
+/// Puts all lists where pages have room.
+class ListPlacer {
+ public:
+  explicit ListPlacer(const ListedNets& listed)
+      : listed_(listed),
+        nets_(listed.nets),
+        neighbours_(find_neighbours(listed.surface, listed.nets)),
+        texts_(listed.pages.count) {}
+
+  /// What no page has room for is left in `unplaced`.
+  std::vector<std::vector<Text>> place(PageLists& unplaced) {
+    std::optional<FreeSpace> space;
+    for (std::size_t page = 0; page < texts_.size(); ++page) {
+      space.emplace(listed_.pages.paper, listed_.pieces[page]);
+      place_page(page, *space, unplaced);
+    }
+    if (texts_.size() > 1) {
+      place_rest(*space, unplaced);
+    } else if (unplaced.unmarked.empty()) {
+      unplaced = {};  // where all pieces lie on one page, anybody sees where an edge goes on
+    }
+    return std::move(texts_);
+  }
+
+ private:
+  void place_page(std::size_t page, FreeSpace& space, PageLists& unplaced) {
+    std::vector<ListRow> unmarked;
+    for (const PieceDrawing& piece : listed_.pieces[page]) {
+      if (ListRow row = unmarked_row(piece); !row.words.empty()) {
+        unmarked.push_back(std::move(row));
+      }
+    }
+    if (!put(unmarked_paragraphs(unmarked), page, space)) {
+      keep(unmarked, page, unplaced.unmarked);
+    }
+    const std::vector<std::string> kinds = kinds_on(PageId(page));
+    std::vector<ListRow> partners = partners_on(PageId(page), true);
+    if (!put(index_paragraphs(page, kinds, partners, partner_list_heading), page, space) &&
+        !put(index_paragraphs(page, kinds, partners_on(PageId(page), false), brief_heading), page, space)) {
+      keep(partners, page, unplaced.partners);
+      for (const std::string& kind : kinds) {
+        if (std::ranges::find(unplaced.kinds, kind) == unplaced.kinds.end()) {
+          unplaced.kinds.push_back(kind);
+        }
+      }
+    }
+  }
+
+  /// On the last page, where it has room for all of it.
+  void place_rest(FreeSpace& space, PageLists& unplaced) {
+    std::vector<std::string> all = unmarked_paragraphs(unplaced.unmarked);
+    const std::vector<std::string> index =
+        index_paragraphs({}, unplaced.kinds, unplaced.partners, partner_list_heading);
+    all.insert(all.end(), index.begin(), index.end());
+    if (put(all, texts_.size() - 1, space)) {
+      unplaced = {};
+    }
+  }
+
+  bool put(const std::vector<std::string>& paragraphs, std::size_t page, FreeSpace& space) {
+    const std::vector<Text> texts = space.place(paragraphs);
+    texts_[page].insert(texts_[page].end(), texts.begin(), texts.end());
+    return !texts.empty() || paragraphs.empty();
+  }
+
+  void keep(std::vector<ListRow>& rows, std::size_t page, std::vector<ListRow>& unplaced) const {
+    for (ListRow& row : rows) {
+      row.of = texts_.size() > 1 ? fmt::format("page {}, {}", page + 1, row.of) : row.of;
+      unplaced.push_back(std::move(row));
+    }
+  }
+
+  static std::vector<std::string> unmarked_paragraphs(const std::vector<ListRow>& rows) {
+    std::vector<std::string> paragraphs;
+    std::ranges::transform(rows, std::back_inserter(paragraphs), text_of);
+    return paragraphs;
+  }
+
+  [[nodiscard]] std::vector<std::string> index_paragraphs(std::optional<std::size_t> page,
+                                                          const std::vector<std::string>& kinds,
+                                                          const std::vector<ListRow>& partners,
+                                                          std::string_view heading) const {
+    std::vector<std::string> paragraphs = kinds;
+    if (page && std::ranges::any_of(listed_.pieces[*page], has_closing_edges)) {
+      paragraphs.emplace_back(closing_words);
+    }
+    if (!partners.empty()) {
+      paragraphs.emplace_back(heading);
+    }
+    std::ranges::transform(partners, std::back_inserter(paragraphs), text_of);
+    return paragraphs;
+  }
+
+  static bool has_closing_edges(const PieceDrawing& piece) {
+    return std::ranges::any_of(piece.seams, [](const Seam& s) { return s.at == NumberAt::closing; });
+  }
+
+  /// Which pieces of the page there are several of, on whatever page.
+  [[nodiscard]] std::vector<std::string> kinds_on(PageId page) const {
+    constexpr std::size_t most_names = 12;
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < listed_.kinds.size(); ++i) {
+      const bool here = std::ranges::any_of(nets_.equal[i], [&](const unfold::EqualPiece& equal) {
+        return listed_.pages.placements[equal.piece].page == page;
+      });
+      if (here) {
+        rows.push_back(kind_words(nets_, listed_.kinds[i], most_names));
+      }
+    }
     return rows;
   }
 
-  static void append_all(std::vector<std::string>& rows, const std::vector<std::string>& more, double width) {
-    for (const std::string& row : more) {
-      append_wrapped(rows, row, width);
-    }
-  }
-
-  /// Places rows_of(width) at the first of the widths that has room; whether one has, or there is nothing to
-  /// place.
-  template <class RowsOf>
-  bool place(std::span<const double> widths, RowsOf rows_of) {
-    for (const double share : widths) {
-      const std::vector<std::string> rows = rows_of(share * piece_area(page_.pages.paper).x);
-      if (rows.empty()) {
-        return true;
-      }
-      if (rows.size() > most_rows) {
-        continue;
-      }
-      if (const auto texts = room_.place(table(rows))) {
-        room_.add(*texts);
-        index_.texts.insert(index_.texts.end(), texts->begin(), texts->end());
-        return true;
+  [[nodiscard]] std::vector<ListRow> partners_on(PageId page, bool with_numbers) const {
+    std::vector<ListRow> rows;
+    for (const PieceId piece : ids<PieceId>(nets_.pieces.size())) {
+      if (listed_.pages.placements[piece].page == page && !neighbours_[piece].empty()) {
+        rows.push_back(partners_of(piece, with_numbers));
       }
     }
-    return false;
+    return rows;
   }
 
-  const ListedPage& page_;
-  const PageLists& others_;
-  PageRoom room_;
-  std::vector<std::string> kinds_;
-  std::vector<std::string> numbers_;
-  std::vector<PieceId> listed_;  ///< pieces that are glued to others
-  PageIndex index_;
+  /// "B 5-9, 13", "page 2: C 60-67; D 3": the page's own pieces first.
+  [[nodiscard]] ListRow partners_of(PieceId piece, bool with_numbers) const {
+    const PageId here = listed_.pages.placements[piece].page;
+    std::map<std::pair<bool, PageId>, std::vector<std::string>> of_page;
+    for (const Neighbour& other : neighbours_[piece]) {
+      const PageId page = listed_.pages.placements[other.piece].page;
+      of_page[{page != here, page}].push_back(nets_.pieces[other.piece].name +
+                                              (with_numbers ? " " + number_ranges(other.numbers) : ""));
+    }
+    ListRow row{nets_.pieces[piece].name, {}};
+    for (const auto& [page, names] : of_page) {
+      row.words.push_back((page.first ? fmt::format("page {}: ", page.second.value() + 1) : "") +
+                          fmt::format("{}", fmt::join(names, with_numbers ? "; " : ", ")));
+    }
+    return row;
+  }
+
+  const ListedNets& listed_;
+  const unfold::Nets& nets_;
+  IdVector<PieceId, std::vector<Neighbour>> neighbours_;
+  std::vector<std::vector<Text>> texts_;
 };
 
-}  // namespace
-
-void PageLists::add(const PageLists& others, std::size_t page, bool several) {
-  const auto take = [&](std::vector<std::string>& rows, const std::vector<std::string>& more) {
-    for (const std::string& row : more) {
-      rows.push_back(several ? fmt::format("page {}, {}", page, row) : row);
-    }
-  };
-  add_missing(kinds, others.kinds);
-  take(partners, others.partners);
-  take(numbers, others.numbers);
-}
-
-PageIndex page_index(const ListedPage& page, const PageLists& others) {
-  return ListPlacer(page, others).place();
-}
-
-namespace {
-
-/// Of small letters; the last are those of lists beside pieces.
-constexpr std::array<double, 3> letters_mm{2.6, 2.2, table_text_height};
-constexpr double row_share = table_row_height / table_text_height;
-constexpr double least_column_mm = 75.0;
-constexpr double column_gap_mm = 8.0;
-constexpr double heading_share = 1.15;  ///< height of headings, of the letters'
-constexpr double entry_share = 1.3;     ///< of the lines that entries begin with
-constexpr double indent_share = 2.0;
-constexpr double after_heading_share = 0.9;  ///< of a row
-constexpr double before_entry_share = 0.45;
-
-constexpr std::string_view kind_list_heading = "which pieces are alike";
-
-enum class Kind { heading, entry, words };
-
-/// A line of a column.
+/// A line of a page that has nothing but lists.
 struct ListLine {
-  Kind kind = Kind::words;
   std::string text;
-  bool begins = true;  ///< not the rest of a longer one
+  double height = 0.0;  ///< of letters
+  double indent = 0.0;
+  double above = 0.0;          ///< kept free, but for the first line of a column
+  bool has_followers = false;  ///< the next one belongs to it
 };
 
-/// Rows of words under a heading.
-struct RowList {
-  std::string_view heading;
-  std::vector<std::string> rows;
-};
-
-class Setter {
+/// Lists in columns, page after page, in letters of a given height.
+class ListSetter {
  public:
-  Setter(const Paper& paper, double letters) : area_(piece_box(paper)), letters_(letters) {
+  ListSetter(const Paper& paper, double letters) : area_(piece_box(paper)), letters_(letters) {
+    constexpr double least_column_mm = 75.0;
     const double width = area_.size().x;
-    columns_ = std::max(1.0, std::floor((width + column_gap_mm) / (least_column_mm + column_gap_mm)));
-    width_ = (width - (columns_ - 1.0) * column_gap_mm) / columns_;
+    columns_ = std::max(1.0, std::floor((width + gap_mm) / (least_column_mm + gap_mm)));
+    width_ = (width - (columns_ - 1.0) * gap_mm) / columns_;
   }
 
-  std::vector<std::vector<Text>> set(const std::vector<RowList>& lists) {
-    for (const RowList& list : lists) {
-      const std::vector<ListLine> heading = wrapped_as(Kind::heading, list.heading, full_width());
-      const std::vector<ListLine> lines = lines_of(list.rows);
-      bool begun = false;
-      for (std::size_t i = 0; i < lines.size(); ++i) {
-        // An entry's own line stands above another one.
-        double needed = height_of(lines[i]);
-        needed += lines[i].kind == Kind::entry && i + 1 < lines.size() ? height_of(lines[i + 1]) : 0.0;
-        if (!begun) {
-          begin_list(heading, needed);
-          begun = true;
-        } else if (y_ - needed < area_.low.y) {
-          next_column(heading);
-        }
-        put(lines[i]);
-      }
+  [[nodiscard]] std::vector<std::vector<Text>> set(const PageLists& lists) {
+    add_rows("numbers that stand nowhere on their pieces", lists.unmarked);
+    add_rows(partner_list_heading, lists.partners);
+    if (!lists.kinds.empty()) {
+      add_rows("which pieces are alike", {{"", lists.kinds}});
     }
-    return std::move(pages_);
+    return in_columns();
   }
 
  private:
-  [[nodiscard]] double row() const { return row_share * letters_; }
-  [[nodiscard]] double letters_of(Kind kind) const {
-    return letters_ * (kind == Kind::heading ? heading_share : kind == Kind::entry ? entry_share : 1.0);
-  }
-  [[nodiscard]] double indent_of(const ListLine& line) const {
-    return line.kind != Kind::words ? 0.0 : indent_share * letters_ * (line.begins ? 1.0 : 2.0);
-  }
-  [[nodiscard]] double height_of(const ListLine& line) const {
-    return row_share * letters_of(line.kind) +
-           (line.kind == Kind::entry && line.begins ? before_entry_share * row() : 0.0);
-  }
+  static constexpr double gap_mm = 8.0;  ///< between columns
 
-  [[nodiscard]] std::vector<ListLine> wrapped_as(Kind kind, std::string_view text, double width) const {
-    const double indent = kind == Kind::words ? indent_share * letters_ : 0.0;
-    std::vector<std::string> rows;
-    append_wrapped(rows, text, (width - indent) * table_text_height / letters_of(kind));
-    std::vector<ListLine> lines;
-    for (const std::string& row : rows) {
-      lines.push_back({kind, row.substr(row.find_first_not_of(' ')), lines.empty()});
+  void add_rows(std::string_view heading, const std::vector<ListRow>& rows) {
+    if (rows.empty()) {
+      return;
     }
-    return lines;
-  }
-
-  /// "page 2, E: between 12 and 21: 13, 14; after 3: 4" is an entry with two lines below.
-  [[nodiscard]] std::vector<ListLine> lines_of(const std::vector<std::string>& rows) const {
-    std::vector<ListLine> lines;
-    const auto add = [&](Kind kind, std::string_view text) {
-      const std::vector<ListLine> own = wrapped_as(kind, text, width_);
-      lines.insert(lines.end(), own.begin(), own.end());
-    };
-    for (const std::string& row : rows) {
-      const std::size_t colon = std::min(row.find(": "), row.size());
-      add(Kind::entry, row.substr(0, colon + 1));
-      for (std::size_t begin = colon + 2; begin < row.size();) {
-        const std::size_t end = std::min(row.find("; ", begin), row.size());
-        add(Kind::words, std::string_view(row).substr(begin, end - begin));
-        begin = end + 2;
+    add(heading, {{}, 1.15 * letters_, 0.0, 3.0 * letters_, true});
+    for (const ListRow& row : rows) {
+      if (!row.of.empty()) {
+        add(row.of + ":", {{}, 1.3 * letters_, 0.0, 0.75 * letters_, true});
+      }
+      for (const std::string& words : row.words) {
+        add(words, {{}, letters_, 2.0 * letters_, 0.0, false});
       }
     }
-    return lines;
   }
 
-  [[nodiscard]] double full_width() const { return area_.size().x; }
-
-  void begin_page() {
-    pages_.emplace_back();
-    y_ = area_.high.y;
-    lowest_ = y_;
-  }
-
-  /// Below all that stands on the page, or on the next one. The heading stands once over all columns.
-  void begin_list(const std::vector<ListLine>& heading, double needed) {
-    for (const ListLine& line : heading) {
-      needed += height_of(line);
-    }
-    needed += (1.0 + after_heading_share) * row();
-    if (pages_.empty() || lowest_ - needed < area_.low.y) {
-      begin_page();
-    } else {
-      y_ = lowest_ - row();
-    }
-    put_heading(heading);
-  }
-
-  void put_heading(const std::vector<ListLine>& heading) {
-    column_ = 0.0;
-    for (const ListLine& line : heading) {
-      put(line);
-    }
-    y_ -= after_heading_share * row();
-    columns_top_ = y_;
-    at_top_ = true;
-  }
-
-  void next_column(const std::vector<ListLine>& heading) {
-    column_ += 1.0;
-    if (column_ < columns_) {
-      y_ = columns_top_;
-      at_top_ = true;
-    } else {
-      begin_page();
-      put_heading(heading);
+  void add(std::string_view words, ListLine line) {
+    const double hanging = 2.0 * letters_;
+    bool first = true;
+    for (const std::string& row : wrapped(words, width_ - line.indent, line.height, hanging)) {
+      line.text = row;
+      lines_.push_back(line);
+      line.indent += std::exchange(first, false) ? hanging : 0.0;
+      line.above = 0.0;
     }
   }
 
-  void put(const ListLine& line) {
-    y_ -= line.kind == Kind::entry && line.begins && !at_top_ ? before_entry_share * row() : 0.0;
-    const double height = letters_of(line.kind);
-    const double left = area_.low.x + column_ * (width_ + column_gap_mm) + indent_of(line);
-    pages_.back().push_back({Layer::mark,
-                             line.text,
-                             {left + 0.5 * text_width(line.text, height), y_ - 0.5 * height},
-                             height,
-                             0.0,
-                             false});
-    y_ -= row_share * height;
-    lowest_ = std::min(lowest_, y_);
-    at_top_ = false;
+  [[nodiscard]] std::vector<std::vector<Text>> in_columns() const {
+    std::vector<std::vector<Text>> pages;
+    double column = columns_;
+    double y = area_.low.y;
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+      const ListLine& line = lines_[i];
+      double needed = line.above;
+      for (std::size_t k = i; k < lines_.size() && (k == i || lines_[k - 1].has_followers); ++k) {
+        needed += row_of(lines_[k]);
+      }
+      y -= line.above;
+      if (pages.empty() || y - needed < area_.low.y) {
+        column += 1.0;
+        if (column >= columns_) {
+          column = 0.0;
+          pages.emplace_back();
+        }
+        y = area_.high.y;
+      }
+      const double left = area_.low.x + column * (width_ + gap_mm) + line.indent;
+      const Vec2 middle{left + 0.5 * text_width(line.text, line.height), y - 0.5 * line.height};
+      pages.back().push_back({Layer::mark, line.text, middle, line.height});
+      y -= row_of(line);
+    }
+    return pages;
   }
+
+  static double row_of(const ListLine& line) { return row_height_mm / text_height_mm * line.height; }
 
   Box2 area_;
   double letters_;
   double columns_ = 1.0;
   double width_ = 0.0;
-  double column_ = 0.0;
-  double y_ = 0.0;
-  double lowest_ = 0.0;       ///< of all that stands on the page
-  double columns_top_ = 0.0;  ///< of the list's columns
-  bool at_top_ = true;
-  std::vector<std::vector<Text>> pages_;
+  std::vector<ListLine> lines_;
 };
 
-/// "2 equal: A, B" is an entry with a line; "A and B are mirror images" gets an entry for all of them.
-std::vector<std::string> rows_of_kinds(const std::vector<std::string>& kinds) {
-  std::vector<std::string> rows;
-  std::string others;
-  for (const std::string& kind : kinds) {
-    if (kind.find(": ") != std::string::npos) {
-      rows.push_back(kind);
-    } else {
-      others += (others.empty() ? "in pairs: " : "; ") + kind;
+/// What pages have no room for, on pages of its own: letters are as large as costs no page.
+std::vector<std::vector<Text>> list_pages(const PageLists& lists, const Paper& paper) {
+  std::vector<std::vector<Text>> pages = ListSetter(paper, text_height_mm).set(lists);
+  for (const double larger : {2.2, 2.6}) {
+    if (auto others = ListSetter(paper, larger).set(lists); others.size() <= pages.size()) {
+      pages = std::move(others);
     }
   }
-  if (!others.empty()) {
-    rows.push_back(std::move(others));
-  }
-  return rows;
+  return pages;
 }
 
 }  // namespace
 
-std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& paper) {
-  const std::vector<RowList> lists{{number_list_heading, left.numbers},
-                                   {partner_list_heading, left.partners},
-                                   {kind_list_heading, rows_of_kinds(left.kinds)}};
-  std::vector<std::vector<Text>> fewest = Setter(paper, letters_mm.back()).set(lists);
-  for (const double letters : letters_mm) {
-    std::vector<std::vector<Text>> larger = Setter(paper, letters).set(lists);
-    if (larger.size() <= fewest.size()) {
-      return larger;
+ListRow unmarked_row(const PieceDrawing& piece) {
+  ListRow row{piece.name, {}};
+  std::set<std::uint32_t> numbers;
+  for (const Seam& seam : piece.seams) {
+    if (seam.at == NumberAt::list) {
+      numbers.insert(seam.number);
     }
   }
-  return fewest;
+  if (!numbers.empty()) {
+    row.words.push_back(number_ranges({numbers.begin(), numbers.end()}) + " unmarked");
+  }
+  std::vector<std::string_view> names;
+  for (const GlueSpot& spot : piece.spots) {
+    if (!spot.named) {
+      names.push_back(spot.name);
+    }
+  }
+  if (!names.empty()) {
+    row.words.push_back(fmt::format("within short dashes {}", fmt::join(names, ", ")));
+  }
+  return row;
+}
+
+bool has_room_for_lists(const Paper& paper) {
+  const Vec2 area = piece_area(paper);
+  return area.x >= least_width && area.y >= least_height;
+}
+
+std::vector<std::vector<Text>> place_lists(const ListedNets& listed) {
+  PageLists unplaced;
+  std::vector<std::vector<Text>> texts = ListPlacer(listed).place(unplaced);
+  if (has_room_for_lists(listed.pages.paper)) {
+    std::ranges::move(list_pages(unplaced, listed.pages.paper), std::back_inserter(texts));
+  }
+  return texts;
 }
 
 }  // namespace ridgecraft::export_

@@ -1,62 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lists of a page: for each of its pieces, which other pieces it is glued to, on which pages, by which
-// numbers; and which edges the numbers belong to that have no room on their pieces. What a page has no room
-// for stands on pages at the end.
+// The lists of pages: for each piece, which other pieces it is glued to, on which pages, by which numbers;
+// which pieces are alike; and which numbers stand nowhere on their pieces.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "export/page/list_rows.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/drawing.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/sheet/paper.hpp"
 #include "export/sheet/pieces.hpp"
+#include "mesh/model/surface.hpp"
+#include "unfold/net/nets.hpp"
 
 namespace ridgecraft::export_ {
 
 /// What stands above rows that say where the other edges are.
 inline constexpr std::string_view partner_list_heading = "where the other edges are: piece and numbers";
 
-/// Rows of a page's lists.
-struct PageLists {
-  std::vector<std::string> kinds;     ///< which pieces are alike
-  std::vector<std::string> partners;  ///< where the other edges are
-  std::vector<std::string> numbers;   ///< without room on their pieces (NumberAt::list)
-
-  [[nodiscard]] bool empty() const { return kinds.empty() && partners.empty() && numbers.empty(); }
-  /// Adds the lists of a page, each row with its page (from 1) before it where there are several pages;
-  /// which pieces are alike stands there once for all pages.
-  void add(const PageLists& others, std::size_t page, bool several);
+/// A row of a list: "A: 13, 14 unmarked", "page 2, A: B 5-9, 13; page 3: C 60-67".
+struct ListRow {
+  std::string of;                  ///< whose row it is; empty where it is of several pieces
+  std::vector<std::string> words;  ///< separated by semicolons, or each on a line of its own
 };
 
-/// What lists of a page are made of.
-struct ListedPage {
+/// The numbers of a piece that stand nowhere else (NumberAt::list), and the names of what is glued on it that
+/// have no room there. Without words where all have their places. O(seams log seams).
+[[nodiscard]] ListRow unmarked_row(const PieceDrawing& piece);
+
+/// Whether a page of this paper can hold a list.
+[[nodiscard]] bool has_room_for_lists(const Paper& paper);
+
+/// What lists are made of.
+struct ListedNets {
+  const mesh::Surface& surface;
   const unfold::Nets& nets;
   const Pages& pages;
-  PageId page;
-  const IdVector<PieceId, std::vector<Neighbour>>& neighbours;  ///< as find_neighbours()
-  const std::vector<PieceKind>& kinds;                          ///< of all pages
-  const std::vector<PieceDrawing>& pieces;                      ///< all of the page, with their texts
+  const std::vector<PieceKind>& kinds;
+  const std::vector<std::vector<PieceDrawing>>& pieces;  ///< of each page, with their texts
 };
 
-struct PageIndex {
-  std::vector<Text> texts;
-  PageLists left;  ///< for which the page has no room
-};
-
-/// The page's lists, where it has room for them: beside the pieces, as low as possible. The numbers come
-/// first; then the index, in fewer words where there is little room. `others` is what other pages have no
-/// room for, to stand there, too. O(places tried x lines).
-[[nodiscard]] PageIndex page_index(const ListedPage& page, const PageLists& others);
-
-/// What pages have no room for, on pages of their own. The lists follow each other, each under its heading,
-/// which stands again where it goes on in another column or page. What stands before the first colon of a row
-/// is the entry's own line; semicolons separate the lines below. In columns; letters are as large as costs no
-/// page. Only where has_room_for_lists(). O(rows).
-[[nodiscard]] std::vector<std::vector<Text>> list_pages(const PageLists& left, const Paper& paper);
+/// The texts of each page's lists, between its pieces, as low as there is room. Where there is little, they
+/// leave out the numbers by which pieces are glued to each other. What has no room on its page stands on the
+/// last one, or on pages at the end: those beyond `pages.count`, where has_room_for_lists(). O(places tried x
+/// lines).
+[[nodiscard]] std::vector<std::vector<Text>> place_lists(const ListedNets& listed);
 
 }  // namespace ridgecraft::export_

@@ -145,11 +145,8 @@ void NumberPlacer::add_lines(const PieceDrawing& piece) {
     const bool fold =
         line.layer == Layer::mountain || line.layer == Layer::valley || line.layer == Layer::glue;
     const auto kind = fold ? Obstacles::Kind::fold : Obstacles::Kind::cut;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-      obstacles_.add({line.points[i - 1], line.points[i]}, kind);
-    }
-    if (line.closed) {
-      obstacles_.add({line.points.back(), line.points.front()}, kind);
+    for (const Segment2& segment : segments_of(line)) {
+      obstacles_.add(segment, kind);
     }
   }
 }
@@ -264,7 +261,7 @@ std::optional<Text> NumberPlacer::with_partner(const Text& plain, const Placed& 
     const bool at_its_edge =
         placed.on_tab ? lies_inside(box.grown(clearance_of(text.height)), placed.seam->tab)
                       : std::abs(dot(box.centre - frame.middle, frame.along)) + reach <= 0.5 * frame.size;
-    if (at_its_edge && on_area(box) &&
+    if (at_its_edge && lies_within(box.bounds(), area_) &&
         obstacles_.is_free(box, text.height, clearance_of(text.height), 0.0, placed.obstacle)) {
       return text;
     }
@@ -272,15 +269,9 @@ std::optional<Text> NumberPlacer::with_partner(const Text& plain, const Placed& 
   return std::nullopt;
 }
 
-bool NumberPlacer::on_area(const TurnedBox& box) const {
-  const Box2 bounds = box.bounds();
-  return bounds.low.x >= area_.low.x && bounds.low.y >= area_.low.y && bounds.high.x <= area_.high.x &&
-         bounds.high.y <= area_.high.y;
-}
-
 /// `box`: the text's.
 bool NumberPlacer::put(PieceDrawing& piece, const Text& text, const TurnedBox& box) {
-  if (!on_area(box) || !obstacles_.is_free(box, text.height, clearance_of(text.height))) {
+  if (!lies_within(box.bounds(), area_) || !obstacles_.is_free(box, text.height, clearance_of(text.height))) {
     return false;
   }
   last_text_ = obstacles_.add(text);

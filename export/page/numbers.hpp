@@ -59,7 +59,6 @@ class NumberPlacer {
   };
 
   [[nodiscard]] std::optional<Text> with_partner(const Text& plain, const Placed& placed) const;
-  [[nodiscard]] bool on_area(const TurnedBox& box) const;
   bool put(PieceDrawing& piece, const Text& text, const TurnedBox& box);
   bool place_near(const Wanted& wanted, Side side);
   bool place_further_inside(const Wanted& wanted);

@@ -270,6 +270,15 @@ class PieceDrawer {
 
 }  // namespace
 
+bool contains(const std::array<Vec2, 3>& triangle, Vec2 p) {
+  const auto& [a, b, c] = triangle;
+  return cross(b - a, p - a) >= 0.0 && cross(c - b, p - b) >= 0.0 && cross(a - c, p - c) >= 0.0;
+}
+
+bool lies_on(const PieceDrawing& piece, Vec2 p) {
+  return std::ranges::any_of(piece.faces, [&](const std::array<Vec2, 3>& face) { return contains(face, p); });
+}
+
 IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, const unfold::Nets& nets) {
   IdVector<PieceId, PieceContents> contents(nets.pieces.size());
   for (const TabId tab : ids<TabId>(nets.tabs.size())) {

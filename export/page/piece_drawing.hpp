@@ -48,6 +48,11 @@ struct PieceDrawing {
   std::vector<GlueSpot> spots;
 };
 
+/// Whether a point lies in a triangle, whose corners run counterclockwise, or on its border.
+[[nodiscard]] bool contains(const std::array<Vec2, 3>& triangle, Vec2 p);
+/// Whether a point lies on a face of the piece. O(faces).
+[[nodiscard]] bool lies_on(const PieceDrawing& piece, Vec2 p);
+
 /// What lies on a piece; both ascending.
 struct PieceContents {
   std::vector<TabId> tabs;

@@ -34,11 +34,6 @@ constexpr double widest_room = 8.0;
 /// How much more room than needed is looked for around a name, mm.
 constexpr std::array<double, 13> rooms{0.0, 0.4, 0.8, 1.4, 2.2, 3.2, 4.5, 6.5, 9.0, 13.0, 18.0, 26.0, 38.0};
 
-bool contains(const std::array<Vec2, 3>& face, Vec2 p) {
-  return cross(face[1] - face[0], p - face[0]) >= 0.0 && cross(face[2] - face[1], p - face[1]) >= 0.0 &&
-         cross(face[0] - face[2], p - face[2]) >= 0.0;
-}
-
 /// Points of a grid that lie in faces of the piece. Its step follows the piece's size.
 std::vector<Vec2> grid_points(const PieceDrawing& piece) {
   Box2 bounds;
@@ -85,11 +80,6 @@ std::vector<Vec2> grid_points(const PieceDrawing& piece) {
   return points;
 }
 
-bool within(const Box2& bounds, const Box2& area) {
-  return bounds.low.x >= area.low.x && bounds.low.y >= area.low.y && bounds.high.x <= area.high.x &&
-         bounds.high.y <= area.high.y;
-}
-
 /// A name of this height with the first of its notes below it, the middle of the name at the origin.
 std::vector<Text> label(const PieceDrawing& piece, double height, double degrees, std::size_t notes) {
   const double angle = degrees * std::numbers::pi / 180.0;
@@ -134,10 +124,6 @@ std::vector<Site> sites_of(const PieceDrawing& piece, const Obstacles& obstacles
   }
   std::ranges::stable_sort(sites, std::ranges::greater{}, &Site::room);
   return sites;
-}
-
-bool lies_on(const PieceDrawing& piece, Vec2 p) {
-  return std::ranges::any_of(piece.faces, [&](const std::array<Vec2, 3>& face) { return contains(face, p); });
 }
 
 /// The site around which the texts have most room. All of them lie on the piece: a note below a name that
@@ -195,6 +181,20 @@ bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<S
   return false;
 }
 
+/// The longest sides of closed outlines, at most `most`.
+std::vector<Segment2> longest_edges(const std::vector<std::vector<Vec2>>& outlines, std::size_t most) {
+  std::vector<Segment2> edges;
+  for (const std::vector<Vec2>& outline : outlines) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      edges.push_back({outline[i], outline[(i + 1) % outline.size()]});
+    }
+  }
+  std::ranges::stable_sort(edges, std::ranges::greater{},
+                           [](const Segment2& s) { return length(s.b - s.a); });
+  edges.resize(std::min(edges.size(), most));
+  return edges;
+}
+
 /// Edges from which a line may lead to a name beside the piece: those without a tab first, then the longest
 /// lines of the outline, the piece on their left.
 std::vector<Segment2> leader_edges(const PieceDrawing& piece) {
@@ -205,15 +205,13 @@ std::vector<Segment2> leader_edges(const PieceDrawing& piece) {
       edges.push_back(seam.edge);
     }
   }
-  std::vector<Segment2> outline;
+  std::vector<std::vector<Vec2>> loops;
   for (const Line& line : piece.group.lines) {
-    for (std::size_t i = 0; line.layer == Layer::cut && line.closed && i < line.points.size(); ++i) {
-      outline.push_back({line.points[i], line.points[(i + 1) % line.points.size()]});
+    if (line.layer == Layer::cut && line.closed) {
+      loops.push_back(line.points);
     }
   }
-  std::ranges::stable_sort(outline, std::ranges::greater{},
-                           [](const Segment2& s) { return length(s.b - s.a); });
-  outline.resize(std::min(outline.size(), most));
+  const std::vector<Segment2> outline = longest_edges(loops, most);
   edges.insert(edges.end(), outline.begin(), outline.end());
   return edges;
 }
@@ -228,7 +226,9 @@ Box2 bounds_of(const std::vector<Text>& texts) {
   return bounds;
 }
 
-bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, const Segment2& edge) {
+/// Texts beside an edge, with a leader to it.
+bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, const Segment2& edge,
+                  const std::vector<Text>& texts) {
   const Vec2 middle = 0.5 * (edge.a + edge.b);
   const double size = length(edge.b - edge.a);
   if (!(size > 0.0)) {
@@ -236,7 +236,6 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
   }
   const Vec2 along = (edge.b - edge.a) / size;
   const Vec2 out = -perpendicular(along);
-  const std::vector<Text> texts = label(piece, 3.0, 0.0, piece.notes.size());
   const Box2 at_origin = bounds_of(texts);
   const Vec2 to_middle = -0.5 * (at_origin.low + at_origin.high);
   for (double reach = 3.0; reach < 16.0; reach += 1.0) {
@@ -247,7 +246,7 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
       const Vec2 tip{std::clamp(middle.x, box.low.x, box.high.x),
                      std::clamp(middle.y, box.low.y, box.high.y)};
       const Segment2 leader{middle + off_the_edge_mm * out, tip};
-      if (within(box, area) &&
+      if (lies_within(box, area) &&
           std::ranges::all_of(here, [&](const Text& text) { return obstacles.is_free(text, clearance); }) &&
           obstacles.is_free(leader, true) && can_lead(leader, out, obstacles)) {
         put(piece, obstacles, here);
@@ -257,6 +256,48 @@ bool place_beside(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, c
     }
   }
   return false;
+}
+
+constexpr double spot_name_height = 2.5;  ///< of a name beside its outline, mm
+
+/// Places inside the outlines, those near their middle first.
+std::vector<Vec2> places_in(const std::vector<std::vector<Vec2>>& outlines) {
+  constexpr int steps = 14;  // of a grid in their box, each way
+  const Box2 box = box_of(outlines);
+  const Vec2 middle = 0.5 * (box.low + box.high);
+  std::vector<Vec2> places;
+  for (int i = 0; i <= steps; ++i) {
+    for (int k = 0; k <= steps; ++k) {
+      const Vec2 p = box.low + Vec2{box.size().x * i / steps, box.size().y * k / steps};
+      if (inside(outlines, p)) {
+        places.push_back(p);
+      }
+    }
+  }
+  std::ranges::stable_sort(places, {}, [&](Vec2 p) { return length(p - middle); });
+  return places;
+}
+
+/// The name of what is glued on, in its outline, or beside it with a leader.
+bool place_spot_name(PieceDrawing& piece, const GlueSpot& spot, Obstacles& obstacles, const Box2& area) {
+  const std::vector<Vec2> places = places_in(spot.outlines);
+  // As with names of pieces, the line below tells which side is up.
+  Text text{Layer::glue, spot.name, {}, 0.0, 0.0, true};
+  for (const double height : {5.0, 3.5, 2.9, 2.4, 2.0, 1.6}) {
+    text.height = height;
+    for (const Vec2 place : places) {
+      text.centre = place;
+      if (lies_within(box_of(text).bounds(), area) && obstacles.is_free(text, clearance)) {
+        put(piece, obstacles, {text});
+        return true;
+      }
+    }
+  }
+  text.height = spot_name_height;
+  text.centre = {};
+  return std::ranges::any_of(longest_edges(spot.outlines, 8), [&](const Segment2& edge) {
+    return place_beside(piece, obstacles, area, edge, {text});
+  });
 }
 
 }  // namespace
@@ -278,8 +319,9 @@ bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, boo
       return true;
     }
   }
+  const std::vector<Text> texts = label(piece, 3.0, 0.0, notes);
   for (const Segment2& edge : leader_edges(piece)) {
-    if (place_beside(piece, obstacles, area, edge)) {
+    if (place_beside(piece, obstacles, area, edge, texts)) {
       return true;
     }
   }
@@ -324,7 +366,9 @@ class TextPlacer {
 
   void place(DrawReport& report) {
     for (PieceDrawing& piece : pieces_) {
-      place_spot_names(piece, area_, placer_.obstacles());
+      for (GlueSpot& spot : piece.spots) {
+        spot.named = place_spot_name(piece, spot, placer_.obstacles(), area_);
+      }
     }
     place_on_tabs();
     if (is_outside()) {

@@ -3,6 +3,7 @@
 // exactly, no font has to be installed or embedded, and a plotter can draw it.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,14 @@ namespace ridgecraft::export_ {
 /// Width of the text, mm, from the first pen position to the last (without the pen's own width). For a text
 /// that the alphabet doesn't cover an estimate that is rather too large than too small.
 [[nodiscard]] double text_width(std::string_view utf8, double height);
+
+/// The words in rows no wider than `width`, mm, those after the first by `hanging` less. A word that is wider
+/// by itself has a row of its own.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view words, double width, double height,
+                                               double hanging = 0.0);
+
+/// As many of the letters as have room, with "…" at the end where some haven't.
+[[nodiscard]] std::string shortened(std::string_view words, double width, double height);
 
 /// The lines of the text at its place in the drawing. Empty if the alphabet doesn't cover it: then a format
 /// has to fall back to a font of the system (height times font_size_per_height is the em).

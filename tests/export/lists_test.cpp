@@ -15,7 +15,6 @@
 
 #include "base/elementary.hpp"
 #include "export/export.hpp"
-#include "export/page/list_rows.hpp"
 #include "export/page/numbers.hpp"
 #include "export/page/obstacles.hpp"
 #include "sample_pages.hpp"
@@ -26,17 +25,14 @@ namespace {
 
 // No number is lost: what has no room at its edge stands in a list that tells where it belongs.
 
-/// A piece with one outline of edges as long as told; those with a minus sign have no number on paper.
-export_::PieceDrawing rim(const std::vector<int>& numbers, const std::vector<double>& sizes = {}) {
+/// A piece with these numbers; those with a minus sign have no place on it.
+export_::PieceDrawing piece_with(const std::vector<int>& numbers) {
   export_::PieceDrawing piece;
   piece.name = "E";
-  piece.rims.emplace_back();
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+  for (const int number : numbers) {
     export_::Seam seam;
-    seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
-    seam.edge = {{0.0, 0.0}, {sizes.empty() ? 1.0 : sizes[i], 0.0}};
-    seam.at = numbers[i] > 0 ? export_::NumberAt::edge : export_::NumberAt::list;
-    piece.rims[0].push_back(piece.seams.size());
+    seam.number = static_cast<std::uint32_t>(std::abs(number));
+    seam.at = number > 0 ? export_::NumberAt::edge : export_::NumberAt::list;
     piece.seams.push_back(seam);
   }
   return piece;
@@ -48,28 +44,46 @@ std::string number_of(const std::string& text) {
   return number.find_first_not_of("0123456789") == std::string::npos ? number : std::string();
 }
 
-/// All numbers of joins on a page: at edges and in rows of the list.
+/// Numbers of joins at edges and on tabs of a page.
 std::multiset<std::string> numbers_on(const export_::Drawing& page) {
   std::multiset<std::string> numbers;
   for (const export_::Group& group : page.groups) {
     for (const export_::Text& text : group.texts) {
-      if (!number_of(text.text).empty()) {
+      if (group.id != "page" && !number_of(text.text).empty()) {
         numbers.insert(number_of(text.text));
-        continue;
-      }
-      std::istringstream words(group.id == "page" ? text.text : "");
-      bool listed = false;
-      for (std::string word; words >> word;) {
-        listed = (listed || word == "come" || word == "comes" || word == "edge:") && word != "then";
-        word.erase(std::remove_if(word.begin(), word.end(), [](char c) { return c == ',' || c == ';'; }),
-                   word.end());
-        if (listed && !number_of(word).empty()) {
-          numbers.insert(word);
-        }
       }
     }
   }
   return numbers;
+}
+
+/// Numbers that the lists of a page call unmarked, each with its piece: "A 13".
+std::set<std::string> unmarked_on(const export_::Drawing& page) {
+  std::string all;
+  for (const export_::Group& group : page.groups) {
+    for (const export_::Text& text : group.texts) {
+      all += group.id == "page" ? text.text + " " : "";
+    }
+  }
+  std::set<std::string> unmarked;
+  std::istringstream words(all);
+  std::string piece;
+  std::set<std::string> numbers;
+  for (std::string word; words >> word;) {
+    if (word == "unmarked" || word == "unmarked;") {
+      unmarked.merge(numbers);
+    } else if (word.back() == ':') {
+      piece = word.substr(0, word.size() - 1);
+      numbers.clear();
+    } else if (word.find_first_not_of("0123456789-,") == std::string::npos) {
+      const std::size_t dash = word.find('-');
+      const int first = std::stoi(word);
+      for (int i = first; i <= (dash == std::string::npos ? first : std::stoi(word.substr(dash + 1))); ++i) {
+        numbers.insert(piece + " " + std::to_string(i));
+      }
+    }
+  }
+  return unmarked;
 }
 
 /// Numbers whose two edges meet when an outline is closed like a zip: equal neighbours are taken out until
@@ -98,26 +112,18 @@ std::set<std::uint32_t> zipped(const export_::PieceDrawing& piece) {
 
 }  // namespace
 
-TEST_CASE("a row names the number before those that have no room", "[number_list]") {
-  CHECK(export_::number_row(rim({12, 13, 14})).empty());
-  CHECK(export_::number_row(rim({12, -13, -14, 21, -22})) ==
-        "E: after 12 come 13, 14, then 21; after 21 comes 22, then 12");
-  // The run goes over the end of the outline.
-  CHECK(export_::number_row(rim({-5, 12, 13, -4})) == "E: after 13 come 4, 5, then 12");
-  CHECK(export_::number_row(rim({-5, -6, -7}, {1.0, 3.0, 2.0})) ==
-        "E: all round, from the longest edge: 6, 7, 5");
-  // 12 stands there twice: the number before it tells which one is meant.
-  CHECK(export_::number_row(rim({11, 12, -13, 14, 12, -15})) ==
-        "E: after 12 comes 13, then 14; after 12 comes 15, then 11");
-  // 12 and 14 follow each other twice: so does the number before them.
-  CHECK(export_::number_row(rim({11, 12, -13, 14, 10, 12, -15, 14})) ==
-        "E: after 11, 12 comes 13, then 14; after 10, 12 comes 15, then 14");
-  CHECK(export_::number_row(rim({72, 11, 72, -72})) == "E: after 72 comes 72, then 72");
-  export_::PieceDrawing two = rim({1, -2});
-  two.rims.push_back({2});
-  two.seams.push_back(two.seams[1]);
-  two.seams.back().number = 9;
-  CHECK(export_::number_row(two) == "E: after 1 comes 2, then 1; all round, from the longest edge: 9");
+TEST_CASE("a row names the numbers that stand nowhere on the piece", "[number_list]") {
+  const auto words = [](const std::vector<int>& numbers) {
+    return export_::unmarked_row(piece_with(numbers)).words;
+  };
+  CHECK(words({12, 13, 14}).empty());
+  CHECK(export_::unmarked_row(piece_with({-2})).of == "E");
+  CHECK(words({12, -14, -13, 21, -22}) == std::vector<std::string>{"13, 14, 22 unmarked"});
+  CHECK(words({-7, 8, -7}) == std::vector<std::string>{"7 unmarked"});
+  export_::PieceDrawing piece = piece_with({-5, -6, -7});
+  piece.spots = {{"B", {}, false}, {"C", {}, true}, {"D", {}, false}};
+  CHECK(export_::unmarked_row(piece).words ==
+        std::vector<std::string>{"5-7 unmarked", "within short dashes B, D"});
 }
 
 TEST_CASE("every number of every edge stands somewhere, or needs no place", "[number_list]") {
@@ -130,9 +136,16 @@ TEST_CASE("every number of every edge stands somewhere, or needs no place", "[nu
       CHECK(pages.size() == sample.pages.count + report.list_pages);
       CHECK(report.labels_left_out.empty());
       std::multiset<std::string> labels;
+      std::set<std::string> unmarked;
       for (const export_::Drawing& page : pages) {
         CHECK(page.page_count == static_cast<int>(pages.size()));
         labels.merge(numbers_on(page));
+        unmarked.merge(unmarked_on(page));
+      }
+      for (const auto& [piece, number] : report.labels_listed) {
+        CAPTURE(piece, number);
+        CHECK(unmarked.contains(piece + " " + std::to_string(number)));
+        labels.insert(std::to_string(number));
       }
       std::set<std::uint32_t> closing;
       const auto contents = export_::piece_contents(sample.model.model.surface, sample.nets);
@@ -273,7 +286,6 @@ std::size_t checked_rows(const test::SamplePages& sample, const export_::Drawing
     rows.insert(text.text);
   }
   CHECK(rows.count(std::string(export_::partner_list_heading)) <= 1);
-  CHECK(rows.count(std::string(export_::number_list_heading)) <= 1);
   return rows.size();
 }
 
@@ -294,7 +306,6 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
 TEST_CASE("numbers without room stand in a list beside the pieces, clear of all else", "[page_index]") {
   const mesh::Surface ball = test::sphere(16, 10);
   const auto cuts = test::all_edges(ball);
-  const std::string heading(export_::number_list_heading.substr(0, 12));
   std::size_t lists = 0;
   for (const double scale : {9.0, 14.0}) {
     for (const char* format : {"A4", "120x160mm", "A3-landscape"}) {
@@ -303,9 +314,7 @@ TEST_CASE("numbers without room stand in a list beside the pieces, clear of all 
         const auto sample = test::sample_pages(ball, scale, 3.0, edges, "Ball", export_::parse_paper(format));
         for (const export_::Drawing& page : test::drawings(sample)) {
           checked_rows(sample, page);
-          const auto index = index_of(page);
-          lists += static_cast<std::size_t>(std::count_if(
-              index.begin(), index.end(), [&](const auto& text) { return text.text.starts_with(heading); }));
+          lists += unmarked_on(page).empty() ? 0U : 1U;
         }
       }
     }
