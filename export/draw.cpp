@@ -115,8 +115,8 @@ class PageDrawer {
 
  private:
   void describe_pieces() {
-    report_.contacts = find_contacts(surface_, nets_);
-    report_.bodies = find_bodies(model_, nets_, report_.contacts);
+    report_.glue_outlines = find_glue_outlines(surface_, nets_);
+    report_.bodies = find_bodies(model_, nets_, report_.glue_outlines);
     report_.kinds = find_piece_kinds(model_, nets_);
     report_.objects = find_piece_objects(model_, nets_);
   }
@@ -128,8 +128,9 @@ class PageDrawer {
       PieceDrawing piece = piece_drawing(model_, nets_, id, contents_[id], placement, style_);
       piece.notes = notes[id];
       report_lines(piece.group, report_);
-      for (const Contact& contact : std::ranges::equal_range(report_.contacts, id, {}, &Contact::piece)) {
-        add_glue_spot(contact, placement, nets_.pieces[contact.other].name, piece);
+      for (const GlueOutline& glued :
+           std::ranges::equal_range(report_.glue_outlines, id, {}, &GlueOutline::piece)) {
+        add_glue_outline(glued, placement, nets_.pieces[glued.other].name, piece);
       }
       pieces_[placement.page.value()].push_back(std::move(piece));
       piece_ids_[placement.page.value()].push_back(id);

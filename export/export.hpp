@@ -42,7 +42,7 @@ namespace ridgecraft::export_ {
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
 /// page less, with a reserve of 4 %, since tabs don't shrink with the model and nets come out otherwise; none
 /// where even the smallest of them wouldn't do. Heeds no grain. Takes a tenth of what layout() does.
-[[nodiscard]] std::optional<double> share_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
+[[nodiscard]] std::optional<double> scale_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
                                                             const Context& context);
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is

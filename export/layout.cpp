@@ -84,8 +84,7 @@ PackingTask packing_task(const Nets& nets, const Paper& paper,
   for (const unfold::Piece& piece : nets.pieces) {
     task.group.push_back(piece.parts.empty() ? 0 : piece.parts.front().value());
   }
-  const bool heeds_grain = paper.grain != Grain::any && !fold_directions.empty();
-  for (const PieceId piece : ids<PieceId>(heeds_grain ? nets.pieces.size() : 0)) {
+  for (const PieceId piece : ids<PieceId>(follows_grain(paper, fold_directions) ? nets.pieces.size() : 0)) {
     if (const Vec2 line = fold_directions[piece]; line != Vec2{}) {
       task.shapes[piece.value()].along_grain = turns_along_grain(line, paper);
     }
@@ -212,7 +211,7 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
              const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions) {
   check_paper(paper);
   const PackingTask task = packing_task(nets, paper, fold_directions);
-  const bool heeds_grain = paper.grain != Grain::any && !fold_directions.empty();
+  const bool along_grain = follows_grain(paper, fold_directions);
   check_fit(nets, task, paper);
   Pages pages;
   pages.paper = paper;
@@ -223,7 +222,7 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
     const std::size_t first_page = pages.count;
     const PackingTask part = part_of(task, shapes);
     const std::vector<Packed> packed =
-        heeds_grain ? pack(part, context) : pack_in_rows(part, part_of(alike, shapes), context);
+        along_grain ? pack(part, context) : pack_in_rows(part, part_of(alike, shapes), context);
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       Placement& placement = pages.placements[PieceId(shapes[i])];
       placement.page = PageId(first_page + packed[i].page);
@@ -237,7 +236,7 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context,
   return pages;
 }
 
-std::optional<double> share_that_saves_a_page(const Nets& nets, const Pages& pages, const Context& context) {
+std::optional<double> scale_that_saves_a_page(const Nets& nets, const Pages& pages, const Context& context) {
   // The smallest first: where it doesn't do, the others needn't be tried.
   constexpr std::array<double, 3> shares{0.87, 0.9, 0.93};
   /// Pieces are tried so many times as large as they would be: at another size others come out, and less

@@ -93,7 +93,7 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
   made.share_saving_a_page.reset();
   if (made.options.page_by == PageBy::any && made.edits.empty()) {
     made.share_saving_a_page = clock("hint", context, [&] {
-      return export_::share_that_saves_a_page(nets_on_pages(made), made.pages, context);
+      return export_::scale_that_saves_a_page(nets_on_pages(made), made.pages, context);
     });
   }
   made.drawings = clock("draw", context, [&] {
@@ -123,9 +123,9 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
       made.mark.settings["edits"] = json_string(made.edits);
     }
     const export_::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
-    return export_::write_fold(made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
-                               own ? export_::find_contacts(model.surface, made.nets) : made.drawn.contacts,
-                               made.up);
+    return export_::write_fold(
+        made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
+        own ? export_::find_glue_outlines(model.surface, made.nets) : made.drawn.glue_outlines, made.up);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }

@@ -144,18 +144,18 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
 }
 
 /// Seams that are shorter together hold by those beside them.
-constexpr double worth_telling_mm = 5.0;
+constexpr double least_reported_mm = 5.0;
 /// Of a model with so much of its seams without a tab, and this share of them, nobody likes to glue so many
 /// strips.
 constexpr double many_without_tab_mm = 100.0;
 constexpr double many_without_tab = 0.03;
 
 void add_glue(const GlueFigures& glue, Clauses& clauses) {
-  if (glue.without_tab_mm >= worth_telling_mm) {
+  if (glue.without_tab_mm >= least_reported_mm) {
     clauses.push_back(
         fmt::format("{} of seams have no tab: glue a strip of paper behind", metres(glue.without_tab_mm)));
   }
-  if (glue.weak_mm >= worth_telling_mm) {
+  if (glue.weak_mm >= least_reported_mm) {
     clauses.push_back(fmt::format("{} of seams have tabs too small to hold well", metres(glue.weak_mm)));
   }
 }

@@ -232,11 +232,11 @@ void add_page_names(Summary& summary, const export_::Pages& pages) {
 }
 
 /// Where pieces of separate bodies are glued to each other.
-void add_glue_spots(Summary& summary, const job::Paper& made) {
+void add_glue_outlines(Summary& summary, const job::Paper& made) {
   Value spots(Value::List{});
-  for (const export_::Contact& contact : made.drawn.contacts) {
-    spots.add(Value::Object{{"piece", made.nets.pieces[contact.piece].name},
-                            {"other", made.nets.pieces[contact.other].name}});
+  for (const export_::GlueOutline& outline : made.drawn.glue_outlines) {
+    spots.add(Value::Object{{"piece", made.nets.pieces[outline.piece].name},
+                            {"other", made.nets.pieces[outline.other].name}});
   }
   summary.add("glue_spots", std::move(spots));
 }
@@ -289,7 +289,7 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   add_slivers(summary, made);
   add_folding(summary, nets);
   add_bodies(summary, nets, made.drawn.bodies);
-  add_glue_spots(summary, made);
+  add_glue_outlines(summary, made);
   add_guide(summary, made);
   summary.add("paper", job.paper_name);
   summary.add("buildable", prepare::can_be_folded(made.prepared));

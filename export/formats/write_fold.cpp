@@ -234,22 +234,22 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
   }
 }
 
-void write_glue(JsonText& json, const NetFrame& frame, const std::vector<Contact>& contacts) {
-  if (contacts.empty()) {
+void write_glue(JsonText& json, const NetFrame& frame, const std::vector<GlueOutline>& glue_outlines) {
+  if (glue_outlines.empty()) {
     return;
   }
-  json.list("ridgecraft:glue", contacts.size(), [&](std::size_t i) {
-    const Contact& contact = contacts[i];
+  json.list("ridgecraft:glue", glue_outlines.size(), [&](std::size_t i) {
+    const GlueOutline& glued = glue_outlines[i];
     json.raw("\n{\"piece\":");
-    json.number(contact.piece.value());
+    json.number(glued.piece.value());
     json.raw(",\"other\":");
-    json.number(contact.other.value());
+    json.number(glued.other.value());
     json.raw(",\"outlines\":[");
-    for (std::size_t k = 0; k < contact.outlines.size(); ++k) {
+    for (std::size_t k = 0; k < glued.outlines.size(); ++k) {
       const char* separator = k == 0 ? "[" : ",[";
-      for (const Vec2 p : contact.outlines[k]) {
+      for (const Vec2 p : glued.outlines[k]) {
         json.raw(separator);
-        json.point(frame.place(contact.piece, p));
+        json.point(frame.place(glued.piece, p));
         separator = ",";
       }
       json.raw("]");
@@ -305,7 +305,8 @@ void write_head(JsonText& json, const Mark& mark) {
 
 std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
                        const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                       const Mark& mark, const std::vector<Contact>& contacts, std::optional<mesh::Axis> up) {
+                       const Mark& mark, const std::vector<GlueOutline>& glue_outlines,
+                       std::optional<mesh::Axis> up) {
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);
@@ -328,7 +329,7 @@ std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, Pa
   write_assembly(json, surface, nets, frame, assembly);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
-  write_glue(json, frame, contacts);
+  write_glue(json, frame, glue_outlines);
   write_model(json, surface, part);
   json.raw("\n}\n");
   return std::move(json).take();

@@ -246,8 +246,8 @@ std::size_t last_step(const Assembly& assembly, std::span<const PieceId> pieces)
 
 /// Bodies that stand on others, told when they are whole and what they stand on is there: "Glue A and B onto
 /// C, D onto E and F, within the dashed lines."
-void add_glue_spots(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
-                    std::span<const Body> bodies, std::vector<std::string>& sentences) {
+void add_glue_outlines(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
+                       std::span<const Body> bodies, std::vector<std::string>& sentences) {
   std::map<PieceId, std::vector<std::string>> below;  // what each piece is glued onto
   for (const Body& body : bodies) {
     for (const auto& [piece, other] : body.glued_onto) {
@@ -392,7 +392,7 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
     }
   }
   add_gluing(surface, nets, step, sentences);
-  add_glue_spots(nets, assembly, index, bodies, sentences);
+  add_glue_outlines(nets, assembly, index, bodies, sentences);
   add_places_of_bodies(nets, assembly, index, bodies, sentences);
   add_hard_edges(surface, nets, step, sentences);
   if (step.closes && !step.joins.empty()) {

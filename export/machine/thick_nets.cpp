@@ -423,10 +423,6 @@ class Thickener {
 
 }  // namespace
 
-std::string_view word(Hinge hinge) {
-  return hinge == Hinge::back ? "back" : hinge == Hinge::middle ? "middle" : "front";
-}
-
 double side_change(BoardSide side, double angle, const Board& board) {
   const double t = board.thickness_mm;
   const double h = board.hinge == Hinge::back ? t : board.hinge == Hinge::middle ? 0.5 * t : 0.0;

@@ -18,9 +18,6 @@ enum class Hinge {
   front,   ///< at the printed side: it is grooved from behind
 };
 
-/// "back", "middle", "front"
-[[nodiscard]] std::string_view word(Hinge hinge);
-
 /// What the sheets are that pieces are cut from, and how they are folded.
 struct Board {
   double thickness_mm = 0.0;  ///< 0: paper, whose nets stay as they are

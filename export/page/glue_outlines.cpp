@@ -80,16 +80,16 @@ std::vector<Vec2> glued(const mesh::Surface& surface, const unfold::Nets& nets, 
 
 }  // namespace
 
-void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
-                   PieceDrawing& piece) {
+void add_glue_outline(const GlueOutline& glued, const Placement& placement, const std::string& name,
+                      PieceDrawing& piece) {
   DrawnLines drawn;
   for (const Line& line : piece.group.lines) {
     for (const Segment2& segment : segments_of(line)) {
       drawn.add(segment);
     }
   }
-  GlueSpot spot{name, {}, false};
-  for (std::vector<Vec2> outline : contact.outlines) {
+  GlueMark spot{name, {}, false};
+  for (std::vector<Vec2> outline : glued.outlines) {
     std::ranges::transform(outline, outline.begin(), placement);
     for (std::size_t i = 0; i < outline.size(); ++i) {
       for (const Segment2& part : drawn.free_parts({outline[i], outline[(i + 1) % outline.size()]})) {

@@ -12,10 +12,10 @@
 
 namespace ridgecraft::export_ {
 
-/// Adds a contact's outlines to the drawing of its piece, but for stretches where a line is drawn already;
+/// Adds a glued's outlines to the drawing of its piece, but for stretches where a line is drawn already;
 /// `name` is that of the piece that is glued there.
-void add_glue_spot(const Contact& contact, const Placement& placement, const std::string& name,
-                   PieceDrawing& piece);
+void add_glue_outline(const GlueOutline& glued, const Placement& placement, const std::string& name,
+                      PieceDrawing& piece);
 
 /// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
 /// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side

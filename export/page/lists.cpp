@@ -403,7 +403,7 @@ ListRow unmarked_row(const PieceDrawing& piece) {
     row.words.push_back(number_ranges({numbers.begin(), numbers.end()}) + " unmarked");
   }
   std::vector<std::string_view> names;
-  for (const GlueSpot& spot : piece.spots) {
+  for (const GlueMark& spot : piece.spots) {
     if (!spot.named) {
       names.push_back(spot.name);
     }

@@ -52,11 +52,11 @@ TurnedBox box_of(const Text& text) {
           0.5 * (text.height + drop)};
 }
 
-double height_for_room(const Text& text) {
+double spacing_height(const Text& text) {
   return (text.layer == Layer::piece_name ? blanks_beside_words : 1.0) * text.height;
 }
 
-TurnedBox room_of(TurnedBox box, double height) {
+TurnedBox with_spacing(TurnedBox box, double height) {
   box.half_width += blank_share * height;
   box.half_height += half_line_gap;
   return box;
@@ -138,7 +138,7 @@ std::uint32_t Obstacles::add(const Text& text) {
 
 void Obstacles::replace(std::uint32_t number, const Text& text) {
   const TurnedBox box = box_of(text);
-  boxes_[number] = {box, room_of(box, height_for_room(text))};
+  boxes_[number] = {box, with_spacing(box, spacing_height(text))};
   for (const std::uint32_t cell : cells_of(boxes_[number].room.bounds())) {
     std::vector<std::uint32_t>& here = cells_[cell].boxes;
     if (std::ranges::find(here, number) == here.end()) {
@@ -161,7 +161,7 @@ bool Obstacles::is_free(const TurnedBox& text, double height, double clearance, 
   if (on_line) {
     return false;
   }
-  const TurnedBox room = room_of(text, height).grown(more);
+  const TurnedBox room = with_spacing(text, height).grown(more);
   return !any_cell(room.bounds(), [&](std::uint32_t cell) {
     return std::ranges::any_of(cells_[cell].boxes,
                                [&](std::uint32_t i) { return i != but && overlap(boxes_[i].room, room); });
@@ -183,7 +183,7 @@ bool Obstacles::is_free(const Segment2& line, bool folds_too) const {
   });
 }
 
-double Obstacles::room_at(Vec2 p, double most) const {
+double Obstacles::distance_to_lines(Vec2 p, double most) const {
   Box2 bounds;
   bounds.add(p - Vec2{most, most});
   bounds.add(p + Vec2{most, most});

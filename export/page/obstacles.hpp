@@ -44,10 +44,10 @@ struct TurnedBox {
 [[nodiscard]] TurnedBox box_of(const Text& text);
 /// The box that a text of this height keeps for itself among other texts, of the one that it covers: a
 /// blank's width before and behind it, so that two numbers in one line are never read as one.
-[[nodiscard]] TurnedBox room_of(TurnedBox box, double height);
-/// The height by which room_of() gives a text its room: names and what stands below them are words, with
+[[nodiscard]] TurnedBox with_spacing(TurnedBox box, double height);
+/// The height by which with_spacing() gives a text its room: names and what stands below them are words, with
 /// blanks within, so a number in their line keeps more than a blank away.
-[[nodiscard]] double height_for_room(const Text& text);
+[[nodiscard]] double spacing_height(const Text& text);
 /// Whether two boxes share more than a border.
 [[nodiscard]] bool overlap(const TurnedBox& a, const TurnedBox& b);
 /// Whether a segment meets a box.
@@ -76,7 +76,7 @@ class Obstacles {
   /// its cells).
   [[nodiscard]] bool is_free(const Text& text, double clearance, double more = 0.0,
                              std::uint32_t but = no_text) const {
-    return is_free(box_of(text), height_for_room(text), clearance, more, but);
+    return is_free(box_of(text), spacing_height(text), clearance, more, but);
   }
   /// The same of a text of this height whose box is known.
   [[nodiscard]] bool is_free(const TurnedBox& text, double height, double clearance, double more = 0.0,
@@ -84,7 +84,7 @@ class Obstacles {
   /// Whether the line meets no cut and no box; with `folds_too` no fold either.
   [[nodiscard]] bool is_free(const Segment2& line, bool folds_too) const;
   /// Distance of the nearest line from a point, mm, at most `most`.
-  [[nodiscard]] double room_at(Vec2 p, double most) const;
+  [[nodiscard]] double distance_to_lines(Vec2 p, double most) const;
   /// Whether the line runs beside another one, near it and in nearly its direction: then it looks like one of
   /// a pair, or like a fold.
   [[nodiscard]] bool runs_along_another(const Segment2& line) const;

@@ -30,7 +30,7 @@ struct Seam {
 };
 
 /// Where a piece that no join connects with this one is glued on.
-struct GlueSpot {
+struct GlueMark {
   std::string name;                         ///< of the other piece
   std::vector<std::vector<Vec2>> outlines;  ///< on the page; holes among them
   bool named = false;                       ///< its name stands there
@@ -45,7 +45,7 @@ struct PieceDrawing {
   /// side; borders are left out.
   std::vector<std::vector<std::size_t>> rims;
   std::vector<std::array<Vec2, 3>> faces;
-  std::vector<GlueSpot> spots;
+  std::vector<GlueMark> spots;
 };
 
 /// Whether a point lies in a triangle, whose corners run counterclockwise, or on its border.

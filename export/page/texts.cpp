@@ -120,7 +120,7 @@ struct Site {
 std::vector<Site> sites_of(const PieceDrawing& piece, const Obstacles& obstacles) {
   std::vector<Site> sites;
   for (const Vec2 p : grid_points(piece)) {
-    sites.push_back({p, obstacles.room_at(p, widest_room)});
+    sites.push_back({p, obstacles.distance_to_lines(p, widest_room)});
   }
   std::ranges::stable_sort(sites, std::ranges::greater{}, &Site::room);
   return sites;
@@ -279,7 +279,7 @@ std::vector<Vec2> places_in(const std::vector<std::vector<Vec2>>& outlines) {
 }
 
 /// The name of what is glued on, in its outline, or beside it with a leader.
-bool place_spot_name(PieceDrawing& piece, const GlueSpot& spot, Obstacles& obstacles, const Box2& area) {
+bool place_glue_name(PieceDrawing& piece, const GlueMark& spot, Obstacles& obstacles, const Box2& area) {
   const std::vector<Vec2> places = places_in(spot.outlines);
   // As with names of pieces, the line below tells which side is up.
   Text text{Layer::glue, spot.name, {}, 0.0, 0.0, true};
@@ -366,8 +366,8 @@ class TextPlacer {
 
   void place(DrawReport& report) {
     for (PieceDrawing& piece : pieces_) {
-      for (GlueSpot& spot : piece.spots) {
-        spot.named = place_spot_name(piece, spot, placer_.obstacles(), area_);
+      for (GlueMark& spot : piece.spots) {
+        spot.named = place_glue_name(piece, spot, placer_.obstacles(), area_);
       }
     }
     place_on_tabs();

@@ -105,8 +105,8 @@ std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& 
   for (const Vec3 p : on_it.corners) {
     polygon.push_back(laid(p));
   }
-  polygon = part_where(polygon, [](Vec3 p) { return contact_mm - p.z; });
-  polygon = part_where(polygon, [](Vec3 p) { return contact_mm + p.z; });
+  polygon = part_where(polygon, [](Vec3 p) { return mesh::touching_mm - p.z; });
+  polygon = part_where(polygon, [](Vec3 p) { return mesh::touching_mm + p.z; });
   const auto& flat = nets.flat[face];
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
     const Vec2 from = flat[k];
@@ -220,7 +220,7 @@ std::vector<Lying> all_lying(const mesh::Surface& surface) {
     all.push_back({{surface.point(a), surface.point(b), surface.point(c)}, surface.normal(face), face});
   }
   std::uint32_t number = 0;
-  for (const mesh::Opening& opening : mesh::flat_openings(surface, contact_mm)) {
+  for (const mesh::Opening& opening : mesh::flat_openings(surface, mesh::touching_mm)) {
     const std::vector<std::array<Vec3, 3>> triangles = mesh::triangles_of(surface, opening);
     const bool hole = is_hole(surface, opening);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -237,7 +237,7 @@ NearBoxes boxes_of(const std::vector<Lying>& all) {
   std::vector<Box3> boxes;
   for (const Lying& one : all) {
     Box3 box;
-    const Vec3 reach{contact_mm, contact_mm, contact_mm};
+    const Vec3 reach{mesh::touching_mm, mesh::touching_mm, mesh::touching_mm};
     for (const Vec3 p : one.corners) {
       box.add(p - 0.5 * reach);
       box.add(p + 0.5 * reach);
@@ -282,7 +282,7 @@ void drop_openings_beyond(const mesh::Surface& surface, const std::vector<Lying>
 
 }  // namespace
 
-std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets) {
+std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const unfold::Nets& nets) {
   if (surface.component_count() < 2) {
     return {};
   }
@@ -316,7 +316,7 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
     }
   });
   drop_openings_beyond(surface, all, area, areas);
-  std::vector<Contact> contacts;
+  std::vector<GlueOutline> glue_outlines;
   for (auto& [pieces, list] : areas) {
     std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
     std::vector<std::vector<Vec2>> polygons;
@@ -325,10 +325,10 @@ std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::N
       polygons.push_back(std::move(polygon));
     }
     if (auto outlines = outlines_of(polygons); !outlines.empty()) {
-      contacts.push_back({pieces.first, pieces.second, std::move(outlines)});
+      glue_outlines.push_back({pieces.first, pieces.second, std::move(outlines)});
     }
   }
-  return contacts;
+  return glue_outlines;
 }
 
 namespace {
@@ -455,7 +455,7 @@ void find_nearest(const Surface& surface, const unfold::Nets& nets,
 }  // namespace
 
 std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets& nets,
-                              std::span<const Contact> contacts) {
+                              std::span<const GlueOutline> glue_outlines) {
   const Surface& surface = model.model.surface;
   if (surface.component_count() < 2) {
     return {};
@@ -473,9 +473,9 @@ std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets
     bodies[number[own]].pieces.push_back(p);
   }
   find_nearest(surface, nets, component, bodies);
-  for (const Contact& contact : contacts) {
-    const std::uint32_t own = surface.component(nets.pieces[contact.other].faces.front()).value();
-    bodies[number[own]].glued_onto.push_back({contact.other, contact.piece});
+  for (const GlueOutline& glued : glue_outlines) {
+    const std::uint32_t own = surface.component(nets.pieces[glued.other].faces.front()).value();
+    bodies[number[own]].glued_onto.push_back({glued.other, glued.piece});
   }
   for (Body& body : bodies) {
     std::ranges::sort(body.glued_onto);

@@ -15,11 +15,8 @@
 
 namespace ridgecraft::export_ {
 
-/// Faces of two bodies touch where they are no farther apart than paper is thick, mm.
-inline constexpr double contact_mm = mesh::touching_mm;
-
 /// Where the face of one body is glued onto that of another.
-struct Contact {
+struct GlueOutline {
   PieceId piece;  ///< of the larger body: on its face the other one is glued
   PieceId other;  ///< of the smaller body: the piece whose face, or whose border, lies there
   /// Closed outlines of the common area in the plane of `piece`, mm: counterclockwise around it, clockwise
@@ -31,7 +28,8 @@ struct Contact {
 /// the order of the pieces; an opening counts as a face of the body that is glued on if its border is flat,
 /// so a cap without a back is glued where it stands. Bodies that run through each other's faces don't touch
 /// by this. O(n log n) in faces and pairs of faces near each other.
-[[nodiscard]] std::vector<Contact> find_contacts(const mesh::Surface& surface, const unfold::Nets& nets);
+[[nodiscard]] std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface,
+                                                          const unfold::Nets& nets);
 
 /// A component of the surface, by its pieces.
 struct Body {
@@ -45,7 +43,7 @@ struct Body {
 /// The components of the surface in the order of their first pieces; empty where there is only one. Distances
 /// are those of vertices from faces, both ways, of as many vertices as a fixed amount of work allows.
 [[nodiscard]] std::vector<Body> find_bodies(const prepare::Prepared& model, const unfold::Nets& nets,
-                                            std::span<const Contact> contacts);
+                                            std::span<const GlueOutline> glue_outlines);
 
 /// How many there are when those that are glued onto each other count as one.
 [[nodiscard]] std::size_t bodies_apart(std::span<const Body> bodies);

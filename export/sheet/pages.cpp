@@ -51,7 +51,7 @@ std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
       elementary::cos((grain_tolerance_degrees + rounding_degrees) * std::numbers::pi / 180.0);
   const Vec2 grain = grain_direction(pages.paper);
   std::vector<PieceId> off;
-  for (const PieceId piece : ids<PieceId>(pages.paper.grain == Grain::any ? 0 : directions.size())) {
+  for (const PieceId piece : ids<PieceId>(follows_grain(pages.paper, directions) ? directions.size() : 0)) {
     const Vec2 line = pages.placements[piece].turn(directions[piece]);
     if (line != Vec2{} && std::abs(dot(line, grain)) < least) {
       off.push_back(piece);

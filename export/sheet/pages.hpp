@@ -86,7 +86,7 @@ struct DrawReport {
   std::size_t list_pages = 0;              ///< pages at the end that have such and no pieces
   std::size_t labels_outside = 0;          ///< numbers that stand beside their piece, with a leader
   std::size_t names_left_out = 0;          ///< pieces whose name found no place
-  std::vector<Contact> contacts;           ///< where pieces of separate bodies are glued to each other
+  std::vector<GlueOutline> glue_outlines;  ///< where pieces of separate bodies are glued to each other
   std::vector<Body> bodies;                ///< separate ones, if there are several (export/sheet/bodies.hpp)
   std::vector<PieceKind> kinds;            ///< of pieces that there are several of, as Nets::equal
   IdVector<PieceId, std::string> objects;  ///< of each piece, as find_piece_objects()
@@ -102,6 +102,11 @@ struct DrawReport {
 /// way. None where the paper's grain isn't to be heeded. O(pieces).
 [[nodiscard]] std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
                                                     const Pages& pages);
+
+/// Whether pieces are to lie with their folds along the paper's grain.
+[[nodiscard]] inline bool follows_grain(const Paper& paper, const IdVector<PieceId, Vec2>& fold_directions) {
+  return paper.grain != Grain::any && !fold_directions.empty();
+}
 
 /// How far from the grain's direction folds may run, degrees: it still bends them, and the packer has a
 /// choice.

@@ -122,14 +122,6 @@ void check_side(std::string_view text, double side) {
 
 }  // namespace
 
-std::string_view word(PackingEffort effort) {
-  return effort == PackingEffort::fast ? "fast" : "good";
-}
-
-std::string_view word(Grain grain) {
-  return grain == Grain::any ? "any" : grain == Grain::long_side ? "long" : "short";
-}
-
 Paper parse_paper(std::string_view text) {
   std::string name = lowered(trimmed(text));
   std::replace(name.begin(), name.end(), '_', '-');

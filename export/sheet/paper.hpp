@@ -21,7 +21,6 @@ enum class PackingEffort {
   fast,  ///< some hundredths of a second
   good,  ///< some tenths
 };
-[[nodiscard]] std::string_view word(PackingEffort effort);
 
 /// Which way the paper's fibres run. Folds and rolls along them come out clean; across them paper cracks.
 enum class Grain {
@@ -29,7 +28,6 @@ enum class Grain {
   long_side,   ///< along the sheet's long side, as of most paper that is sold cut
   short_side,  ///< along its short side
 };
-[[nodiscard]] std::string_view word(Grain grain);
 
 /// A sheet of paper, mm.
 struct Paper {

@@ -16,8 +16,8 @@ namespace {
 
 /// Of all edges, the share that is considered in a pass: those of least error.
 constexpr double considered = 0.5;
-/// What is the largest error among these is told by about so many edges.
-constexpr std::size_t told_by = 20000;
+/// The largest error among these is estimated from about so many edges.
+constexpr std::size_t sample_size = 20000;
 /// After a pass that removes less than this share of the faces, more edges are considered, ...
 constexpr double good_progress = 0.2;
 constexpr double larger_share = 1.4;
@@ -253,7 +253,7 @@ class QuickCollapses {
       return candidates;
     }
     std::vector<float> some;
-    const std::size_t step = std::max<std::size_t>(1, errors.size() / told_by);
+    const std::size_t step = std::max<std::size_t>(1, errors.size() / sample_size);
     for (std::size_t i = 0; i < errors.size(); i += step) {
       some.push_back(errors[i]);
     }

@@ -261,7 +261,7 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
   for (const auto& [grain, size] : {std::pair{export_::Grain::long_side, Vec2{210, 297}},
                                     {export_::Grain::short_side, Vec2{210, 297}},
                                     {export_::Grain::long_side, Vec2{297, 210}}}) {
-    CAPTURE(export_::word(grain), size.x);
+    CAPTURE(static_cast<int>(grain), size.x);
     export_::Paper sheet;
     sheet.size = size;
     sheet.grain = grain;

@@ -17,7 +17,7 @@ std::optional<double> share(double side_mm, std::size_t expected_pages) {
   REQUIRE(sample.nets.pieces.size() == 6);
   const export_::Pages pages = export_::layout(sample.nets, {}, {});
   REQUIRE(pages.count == expected_pages);
-  return export_::share_that_saves_a_page(sample.nets, pages, {});
+  return export_::scale_that_saves_a_page(sample.nets, pages, {});
 }
 
 TEST_CASE("a size that saves a page is told", "[page_saving]") {

@@ -284,7 +284,7 @@ TEST_CASE("panels of a cube of 60 mm are as wide between folds and tabs as secti
 TEST_CASE("a cube of board, folded up as plates about its hinges, is as large as asked, and its plates fit") {
   for (const double thickness : {1.0, 2.0, 3.0}) {
     for (const Hinge hinge : {Hinge::back, Hinge::middle, Hinge::front}) {
-      CAPTURE(thickness, word(hinge));
+      CAPTURE(thickness, static_cast<int>(hinge));
       const test::SamplePages sample = test::sample_pages(test::cube(), 60.0, 12.0);
       const mesh::Surface& surface = sample.model.model.surface;
       REQUIRE(sample.nets.pieces.size() == 1);

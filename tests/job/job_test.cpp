@@ -209,7 +209,7 @@ TEST_CASE("nets of board tell where bodies touch, as those of paper do", "[job]"
   job::Options options;
   options.bodies = prepare::Bodies::keep;
   const job::Paper paper = job::paper(model, options, {});
-  REQUIRE_FALSE(paper.drawn.contacts.empty());
+  REQUIRE_FALSE(paper.drawn.glue_outlines.empty());
   options.board.thickness_mm = 1.0;
   const job::Paper board = job::paper(model, options, {});
   const auto glue_of = [](const std::string& fold) {

@@ -61,7 +61,7 @@ class GlueCheck {
     lay_out_bodies();
     std::set<std::pair<Index, Index>> stated;
     for (Index i = 0; i < file_.glue.size(); ++i) {
-      const GlueSpot& spot = file_.glue[i];
+      const GlueOutline& spot = file_.glue[i];
       if (body_of_piece_[spot.piece] == none || body_of_piece_[spot.other] == none ||
           body_of_piece_[spot.piece] == body_of_piece_[spot.other]) {
         add(i, "names two pieces of one body");
@@ -220,7 +220,7 @@ class GlueCheck {
   }
 
   void check_spot(Index number) {
-    const GlueSpot& spot = file_.glue[number];
+    const GlueOutline& spot = file_.glue[number];
     const Index body = body_of_piece_[spot.other];
     for (const std::vector<Vec2>& outline : spot.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) {

@@ -129,7 +129,7 @@ struct Tab {
 };
 
 /// Where on a piece another piece is glued that no join connects with it.
-struct GlueSpot {
+struct GlueOutline {
   Index piece = 0;                          ///< that has it printed
   Index other = 0;                          ///< that is glued there
   std::vector<std::vector<Vec2>> outlines;  ///< closed; holes of the spot among them
@@ -172,7 +172,7 @@ struct File {
   std::vector<Page> pages;
   std::vector<Join> joins;
   std::vector<Tab> tabs;
-  std::vector<GlueSpot> glue;
+  std::vector<GlueOutline> glue;
   /// Per piece the folds in the order in which they are made, those of one list together; nothing where the
   /// file doesn't tell.
   std::optional<std::vector<std::vector<std::vector<Index>>>> fold_order;

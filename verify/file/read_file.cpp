@@ -275,8 +275,8 @@ Tab read_tab(const Json& json, bool additional) {
   return tab;
 }
 
-GlueSpot read_glue(const Json& json) {
-  GlueSpot spot{json.at("piece").get<Index>(), json.at("other").get<Index>(), {}};
+GlueOutline read_glue(const Json& json) {
+  GlueOutline spot{json.at("piece").get<Index>(), json.at("other").get<Index>(), {}};
   for (const Json& outline : json.at("outlines")) {
     spot.outlines.push_back(read_points(outline));
   }

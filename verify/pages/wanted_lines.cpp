@@ -160,7 +160,7 @@ class Collector {
         add_cut(file_.face_piece[file_.faces.face(side)], {slit[0], slit[1]});
       }
     }
-    for (const GlueSpot& spot : file_.glue) {
+    for (const GlueOutline& spot : file_.glue) {
       add_glue(spot);
     }
     return std::move(pages_);
@@ -279,7 +279,7 @@ class Collector {
     add_look(piece, base, look, LineKind::tab_mountain, LineKind::tab_valley);
   }
 
-  void add_glue(const GlueSpot& spot) {
+  void add_glue(const GlueOutline& spot) {
     for (const std::vector<Vec2>& outline : spot.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) {
         const Segment line{outline[i], outline[(i + 1) % outline.size()]};

@@ -39,9 +39,9 @@ mesh::Surface boxes(const std::vector<std::array<Vec3, 2>>& corners) {
   return {std::move(points), std::move(faces)};
 }
 
-double area_of(const export_::Contact& contact) {
+double area_of(const export_::GlueOutline& glued) {
   double doubled = 0.0;
-  for (const std::vector<Vec2>& outline : contact.outlines) {
+  for (const std::vector<Vec2>& outline : glued.outlines) {
     doubled += doubled_area(outline);
   }
   return 0.5 * doubled;
@@ -51,37 +51,37 @@ std::string fold_of(const test::SamplePages& sample, const export_::DrawReport& 
   const IdVector<FaceId, PartId> part(sample.model.model.surface.face_count(), PartId(0));
   return export_::write_fold(sample.model, part, sample.nets,
                              export_::assembly_order(sample.model.model.surface, sample.nets), &sample.pages,
-                             {"another program 1", "Boxes", "0123456789abcdef", {}}, report.contacts);
+                             {"another program 1", "Boxes", "0123456789abcdef", {}}, report.glue_outlines);
 }
 
 }  // namespace
 
-TEST_CASE("a box on a box is glued where it stands", "[contacts]") {
+TEST_CASE("a box on a box is glued where it stands", "[glue_outlines]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
-  REQUIRE(contacts.size() == 1);
-  CHECK(contacts[0].piece == PieceId(0));
-  CHECK(contacts[0].other == PieceId(1));
+  const auto glue_outlines = export_::find_glue_outlines(sample.model.model.surface, sample.nets);
+  REQUIRE(glue_outlines.size() == 1);
+  CHECK(glue_outlines[0].piece == PieceId(0));
+  CHECK(glue_outlines[0].other == PieceId(1));
   // A net may divide the face that it stands on.
-  REQUIRE(contacts[0].outlines.size() <= 2);
-  CHECK(contacts[0].outlines[0].size() <= 4);
-  CHECK(area_of(contacts[0]) == Approx(600.0).epsilon(0.001));
+  REQUIRE(glue_outlines[0].outlines.size() <= 2);
+  CHECK(glue_outlines[0].outlines[0].size() <= 4);
+  CHECK(area_of(glue_outlines[0]) == Approx(600.0).epsilon(0.001));
 }
 
-TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[contacts]") {
+TEST_CASE("what doesn't touch, or touches nothing but an edge, isn't glued", "[glue_outlines]") {
   const double gap = GENERATE(0.19, 0.21, 5.0);
   const mesh::Surface apart =
       boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20 + gap}, {40, 40, 35 + gap}}}});
   const auto sample = test::sample_pages(apart, 1.0, 5.0);
-  CHECK(export_::find_contacts(sample.model.model.surface, sample.nets).size() ==
-        (gap < export_::contact_mm ? 1 : 0));
+  CHECK(export_::find_glue_outlines(sample.model.model.surface, sample.nets).size() ==
+        (gap < mesh::touching_mm ? 1 : 0));
   const mesh::Surface edge = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{60, 0, 20}, {80, 50, 40}}}});
   const auto on_edge = test::sample_pages(edge, 1.0, 5.0);
-  CHECK(export_::find_contacts(on_edge.model.model.surface, on_edge.nets).empty());
+  CHECK(export_::find_glue_outlines(on_edge.model.model.surface, on_edge.nets).empty());
 }
 
-TEST_CASE("a cap without a back is glued where its border stands", "[contacts]") {
+TEST_CASE("a cap without a back is glued where its border stands", "[glue_outlines]") {
   // A pyramid of four faces over a box, open below; the second one stands on nothing but its tip.
   const auto with_cap = [](double rim, double tip) {
     mesh::Surface box = boxes({{{{0, 0, 0}, {60, 50, 20}}}});
@@ -106,11 +106,11 @@ TEST_CASE("a cap without a back is glued where its border stands", "[contacts]")
   const auto sample = test::sample_pages(with_cap(20.17, 26.0), 1.0, 0.0);
   export_::DrawReport report;
   static_cast<void>(export_::draw(sample.model, sample.nets, sample.pages, {}, &report));
-  REQUIRE(report.contacts.size() == 1);
-  CHECK(report.contacts[0].piece == PieceId(0));
+  REQUIRE(report.glue_outlines.size() == 1);
+  CHECK(report.glue_outlines[0].piece == PieceId(0));
   double area = 0.0;
-  for (const export_::Contact& contact : report.contacts) {
-    area += area_of(contact);
+  for (const export_::GlueOutline& glued : report.glue_outlines) {
+    area += area_of(glued);
   }
   CHECK(area == Approx(400.0).epsilon(0.001));
   // Its middle is far from its paper, but within its opening.
@@ -119,14 +119,14 @@ TEST_CASE("a cap without a back is glued where its border stands", "[contacts]")
     return fault.message.find("glue spot") != std::string::npos;
   }));
   const auto on_tip = test::sample_pages(with_cap(30.0, 20.0), 1.0, 0.0);
-  CHECK(export_::find_contacts(on_tip.model.model.surface, on_tip.nets).empty());
+  CHECK(export_::find_glue_outlines(on_tip.model.model.surface, on_tip.nets).empty());
 }
 
-TEST_CASE("the guide says onto what a body is glued, once", "[contacts]") {
+TEST_CASE("the guide says onto what a body is glued, once", "[glue_outlines]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{20, 10, 20}, {40, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
-  const std::vector<export_::Body> bodies = export_::find_bodies(sample.model, sample.nets, contacts);
+  const auto glue_outlines = export_::find_glue_outlines(sample.model.model.surface, sample.nets);
+  const std::vector<export_::Body> bodies = export_::find_bodies(sample.model, sample.nets, glue_outlines);
   REQUIRE(bodies.size() == 2);
   CHECK(export_::bodies_apart(bodies) == 1);
   CHECK(export_::bodies_apart(export_::find_bodies(sample.model, sample.nets, {})) == 2);
@@ -140,13 +140,13 @@ TEST_CASE("the guide says onto what a body is glued, once", "[contacts]") {
     }
     return count;
   };
-  const std::string below = sample.nets.pieces[contacts.front().piece].name;
-  const std::string above = sample.nets.pieces[contacts.front().other].name;
+  const std::string below = sample.nets.pieces[glue_outlines.front().piece].name;
+  const std::string above = sample.nets.pieces[glue_outlines.front().other].name;
   CHECK(times_told("Glue " + above + " onto " + below + ", within the dashed line.", bodies) == 1);
   CHECK(times_told(above + " belongs beside " + below + ": no number joins it.", bodies) == 0);
 }
 
-TEST_CASE("an opening of any size lies on a face, whatever its shape", "[contacts]") {
+TEST_CASE("an opening of any size lies on a face, whatever its shape", "[glue_outlines]") {
   // An L without a bottom, larger than the box that it stands on; its middle doesn't see all of its opening.
   const std::vector<Vec2> foot{{2, 2}, {48, 2}, {48, 8}, {8, 8}, {8, 48}, {2, 48}};
   const mesh::Surface box = boxes({{{{0, 0, 0}, {50, 50, 5}}}});
@@ -167,25 +167,25 @@ TEST_CASE("an opening of any size lies on a face, whatever its shape", "[contact
     faces.push_back({VertexId(first + i), VertexId(first + 6 + next), VertexId(first + 6 + i)});
   }
   const auto sample = test::sample_pages(mesh::Surface(std::move(points), std::move(faces)), 1.0, 5.0);
-  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
+  const auto glue_outlines = export_::find_glue_outlines(sample.model.model.surface, sample.nets);
   double area = 0.0;
-  for (const export_::Contact& contact : contacts) {
-    CHECK(sample.model.model.surface.component(sample.nets.pieces[contact.piece].faces.front()) ==
+  for (const export_::GlueOutline& glued : glue_outlines) {
+    CHECK(sample.model.model.surface.component(sample.nets.pieces[glued.piece].faces.front()) ==
           sample.model.model.surface.component(FaceId(0)));
-    area += area_of(contact);
+    area += area_of(glued);
   }
   CHECK(area == Approx(46.0 * 6.0 + 40.0 * 6.0).epsilon(0.001));
 }
 
-TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[contacts]") {
+TEST_CASE("a body that reaches over an edge is glued as far as the face goes", "[glue_outlines]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}}, {{{50, 10, 20}, {75, 40, 35}}}});
   const auto sample = test::sample_pages(surface, 1.0, 5.0);
-  const auto contacts = export_::find_contacts(sample.model.model.surface, sample.nets);
-  REQUIRE(contacts.size() == 1);
-  CHECK(area_of(contacts[0]) == Approx(300.0).epsilon(0.001));
+  const auto glue_outlines = export_::find_glue_outlines(sample.model.model.surface, sample.nets);
+  REQUIRE(glue_outlines.size() == 1);
+  CHECK(area_of(glue_outlines[0]) == Approx(300.0).epsilon(0.001));
 }
 
-TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
+TEST_CASE("spots are drawn, named, told, and hold in the check", "[glue_outlines]") {
   const mesh::Surface surface = boxes({{{{0, 0, 0}, {60, 50, 20}}},
                                        {{{5, 10, 20}, {25, 40, 35}}},
                                        {{{30, 10, 20}, {33, 12, 25}}},
@@ -193,7 +193,7 @@ TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
   const auto sample = test::sample_pages(surface, 1.0, 0.0);
   export_::DrawReport report;
   const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
-  REQUIRE(report.contacts.size() == 3);
+  REQUIRE(report.glue_outlines.size() == 3);
   std::set<std::string> names;
   double drawn = 0.0;
   for (const export_::Drawing& page : pages) {
@@ -220,12 +220,12 @@ TEST_CASE("spots are drawn, named, told, and hold in the check", "[contacts]") {
   };
   CHECK(glue_faults(report) == 0);
   export_::DrawReport moved = report;
-  for (Vec2& p : moved.contacts[0].outlines[0]) {
+  for (Vec2& p : moved.glue_outlines[0].outlines[0]) {
     p += Vec2{0.5, 0.0};
   }
   CHECK(glue_faults(moved) == 1);
   moved = report;
-  std::swap(moved.contacts[0].piece, moved.contacts[0].other);
+  std::swap(moved.glue_outlines[0].piece, moved.glue_outlines[0].other);
   CHECK(glue_faults(moved) == 1);
 }
 
