@@ -276,7 +276,7 @@ namespace {
 /// Nodes of a cluster at most. Larger ones make the flow cheaper and the band wider.
 constexpr std::size_t cluster_size = 32;
 /// Clusters on each side of the cut that stay open, counted in steps. With a band of two steps the cheapest
-/// cut of bench_growth's sphere often lies outside: one spike gets twice the facets that belong to it, and
+/// cut of a sphere with six spikes often lies outside: one spike gets twice the facets that belong to it, and
 /// another one is cut in two.
 constexpr int band_steps = 6;
 
