@@ -423,7 +423,9 @@ std::vector<std::vector<Text>> place_lists(const ListedNets& listed) {
   PageLists unplaced;
   std::vector<std::vector<Text>> texts = ListPlacer(listed).place(unplaced);
   if (has_room_for_lists(listed.pages.paper)) {
-    std::ranges::move(list_pages(unplaced, listed.pages.paper), std::back_inserter(texts));
+    for (std::vector<Text>& page : list_pages(unplaced, listed.pages.paper)) {
+      texts.push_back(std::move(page));
+    }
   }
   return texts;
 }
