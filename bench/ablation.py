@@ -70,7 +70,7 @@ STEPS = {
     "exact_walk": ("unfold/energy/anneal.cpp", "if (!net.has_tabs() || rules.exact_trials", "if (OUT || !net.has_tabs() || rules.exact_trials"),
     "fit_tabs": ("unfold/tabs_of_nets.cpp", "if (options.sheet) {\n    fit_tabs", "if (!OUT && options.sheet) {\n    fit_tabs"),
     "improved_tabs": ("unfold/tabs/place/place_tabs.cpp", "auto chosen = assign_tabs(sites, preferred_sides(sites), options,", "auto chosen = assign_tabs(sites, OUT ? decltype(preferred_sides(sites))(preferred_sides(sites).size()) : preferred_sides(sites), options,"),
-    "foot_tabs": ("unfold/unfold.cpp", "  add_foot_tabs(surface", "  if (!OUT) add_foot_tabs(surface"),
+    "base_tabs": ("unfold/unfold.cpp", "  add_base_tabs(surface", "  if (!OUT) add_base_tabs(surface"),
     # prepare/
     "double_skins": ("prepare/ready_bodies.cpp", "  report.sheets = leave_one_skin(model, simplify.skins, simplify.tiny_edge_mm / mm, context);", "  if (!OUT) report.sheets = leave_one_skin(model, simplify.skins, simplify.tiny_edge_mm / mm, context);"),
     "details": ("prepare/ready_bodies.cpp", "  const double mm = judged_mm_per_unit(model, size);\n  if (simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};", "  const double mm = judged_mm_per_unit(model, size);\n  if (OUT || simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};"),

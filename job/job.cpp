@@ -14,7 +14,7 @@
 #include "base/version.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/view/camera.hpp"
-#include "job/edge_wishes.hpp"
+#include "job/edge_constraints.hpp"
 #include "job/extent.hpp"
 #include "job/model_of_nets.hpp"
 #include "job/one_skin.hpp"
@@ -355,20 +355,20 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
         told_of_pages ||
         tell(listener, many_pages(surface, area, prepare::expected_pages(made.prepared, area), false));
   }
-  unfold::EdgeWishes wishes =
-      clock("prepare", context, [&] { return wishes_of(options.edges, made.prepared, context, notes); });
+  unfold::EdgeConstraints constraints =
+      clock("prepare", context, [&] { return constraints_of(options.edges, made.prepared, context, notes); });
   if (options.paper) {
     note_divided_panels(made.prepared, notes);
-    part_by_labels(page_labels(made.prepared.model, options.page_by), made.prepared, wishes);
+    part_by_labels(page_labels(made.prepared.model, options.page_by), made.prepared, constraints);
   }
   Parts parts = clock("segment", context, [&] { return find_parts(made.prepared, options, context); });
   made.part = std::move(parts.of_face);
   made.parts_given_up = parts.given_up;
   made.part_count = count_parts(made.part);
-  made.wishes = std::move(wishes);
+  made.constraints = std::move(constraints);
   made.nets = clock("unfold", context, [&] {
     return unfold::unfold(surface, made.prepared.panels, made.part,
-                          unfold_options(options, made.prepared, made.wishes), context);
+                          unfold_options(options, made.prepared, made.constraints), context);
   });
   if (options.tabs.wanted && options.tab_choice.any()) {
     give_new_tabs(made, clock, context);

@@ -23,7 +23,7 @@
 #include "prepare/prepared/narrow_faces.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/prepared/ready_report.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "verify/verify.hpp"
@@ -56,7 +56,8 @@ struct Paper {
   std::size_t part_count = 0;
   /// The deadline left no time to find parts, so each component is one; whoever set it says so.
   bool parts_given_up = false;
-  unfold::EdgeWishes wishes;  ///< of each edge, which cuts and folds were wanted; none where none were
+  unfold::EdgeConstraints
+      constraints;  ///< of each edge, which cuts and folds were wanted; none where none were
   std::vector<std::string> early_notes;  ///< of the stages before the nets
   unfold::Nets nets;                     ///< its notes begin with those
   export_::Assembly assembly;            ///< in which order the pieces are put together

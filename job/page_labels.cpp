@@ -44,20 +44,21 @@ PageLabels page_labels(const mesh::Model& model, PageBy by) {
   return labels;
 }
 
-void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared, unfold::EdgeWishes& wishes) {
+void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared,
+                    unfold::EdgeConstraints& constraints) {
   if (!labels.any()) {
     return;
   }
   const mesh::Surface& surface = prepared.model.surface;
   prepared.twins.clear();
   prepared.panels = prepare::divided_by(prepared.panels, surface, labels.of_face);
-  if (wishes.empty()) {
-    wishes = unfold::EdgeWishes(surface.edge_count(), unfold::EdgeWish::none);
+  if (constraints.empty()) {
+    constraints = unfold::EdgeConstraints(surface.edge_count(), unfold::EdgeConstraint::none);
   }
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     if (d.valid() && labels.of_face[mesh::face_of(c)] != labels.of_face[mesh::face_of(d)]) {
-      wishes[e] = unfold::EdgeWish::cut;
+      constraints[e] = unfold::EdgeConstraint::cut;
     }
   }
 }

@@ -28,7 +28,8 @@ struct PageLabels {
 
 /// Flat regions end where labels do, and every edge there is to be cut, so that each piece has one label.
 /// Equal bodies count as different ones: they may differ by their labels. O(n log n).
-void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared, unfold::EdgeWishes& wishes);
+void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared,
+                    unfold::EdgeConstraints& constraints);
 
 /// Of each piece.
 [[nodiscard]] IdVector<PieceId, std::uint32_t> labels_of_pieces(const PageLabels& labels,

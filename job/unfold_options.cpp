@@ -19,7 +19,7 @@ Vec2 room_for_pieces(const Options& options) {
 }
 
 unfold::Options unfold_options(const Options& options, const prepare::Prepared& prepared,
-                               unfold::EdgeWishes wishes) {
+                               unfold::EdgeConstraints constraints) {
   unfold::Options unfolding;
   if (options.paper) {
     const Vec2 area = room_for_pieces(options);
@@ -27,10 +27,10 @@ unfold::Options unfold_options(const Options& options, const prepare::Prepared& 
   }
   unfolding.tabs = options.tabs;
   // A wall of board stands on its edge.
-  unfolding.tabs.at_feet = options.tabs.at_feet && !(options.board.thickness_mm > 0.0);
+  unfolding.tabs.at_open_bases = options.tabs.at_open_bases && !(options.board.thickness_mm > 0.0);
   unfolding.panel_cuts = options.panel_cuts;
   unfolding.pieces = options.pieces;
-  unfolding.wishes = std::move(wishes);
+  unfolding.constraints = std::move(constraints);
   unfolding.labels = author_labels(prepared.model);
   unfolding.twins = prepared.twins;
   return unfolding;

@@ -18,7 +18,7 @@
 #include "job/unfold_options.hpp"
 #include "unfold/edits.hpp"
 #include "unfold/tabs/place/fit.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 namespace ridgecraft::session {
 namespace {
@@ -209,7 +209,7 @@ Draft::Draft(const job::Paper& made, const State& before, const Context& context
       surface_(made.prepared.model.surface),
       before_(before),
       context_(without_deadline(context)),
-      options_(job::unfold_options(made.options, made.prepared, made.wishes)),
+      options_(job::unfold_options(made.options, made.prepared, made.requests)),
       labels_(job::page_labels(made.prepared.model, made.options.page_by)),
       pinned_(before.pinned) {}
 

@@ -45,16 +45,16 @@ bool are_divided_alike(const IdVector<FaceId, PartId>& part, const TwinBody& fir
   return true;
 }
 
-bool have_equal_wishes(const mesh::Surface& surface, const EdgeWishes& wishes, const TwinBody& first,
-                       const TwinBody& other) {
-  if (wishes.empty()) {
+bool have_equal_constraints(const mesh::Surface& surface, const EdgeConstraints& constraints,
+                            const TwinBody& first, const TwinBody& other) {
+  if (constraints.empty()) {
     return true;
   }
   for (std::size_t i = 0; i < first.faces.size(); ++i) {
     for (unsigned k = 0; k < 3; ++k) {
       const EdgeId e = surface.edge(prepare::twin_side(first.faces[i], k, first.mirrored));
       const EdgeId image = surface.edge(prepare::twin_side(other.faces[i], k, other.mirrored));
-      if (wishes[e] != wishes[image]) {
+      if (constraints[e] != constraints[image]) {
         return false;
       }
     }
@@ -85,7 +85,7 @@ bool have_equal_borders(const mesh::Surface& surface, const IdVector<FaceId, std
 
 }  // namespace
 
-std::optional<OneOfEach> one_of_each(const Asked& whole) {
+std::optional<OneOfEach> one_of_each(const UnfoldProblem& whole) {
   if (whole.options.twins.empty()) {
     return std::nullopt;
   }
@@ -103,7 +103,7 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
     for (std::size_t b = 1; b < kind.size(); ++b) {
       if (has_own_parts(faces_in_part, whole.part, kind[b]) &&
           are_divided_alike(whole.part, kind[0], kind[b]) &&
-          have_equal_wishes(whole.surface, whole.options.wishes, kind[0], kind[b]) &&
+          have_equal_constraints(whole.surface, whole.options.constraints, kind[0], kind[b]) &&
           have_equal_borders(whole.surface, whole.options.labels, kind[0], kind[b])) {
         copies.emplace_back(&kind[0], &kind[b]);
         for (const FaceId f : kind[b].faces) {
@@ -134,10 +134,10 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
   each.options = whole.options;
   each.options.twins = {};
   each.options.labels = std::move(labels);
-  if (!whole.options.wishes.empty()) {
-    each.options.wishes = EdgeWishes(each.kept.edge.size());
+  if (!whole.options.constraints.empty()) {
+    each.options.constraints = EdgeConstraints(each.kept.edge.size());
     for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
-      each.options.wishes[e] = whole.options.wishes[each.kept.edge[e]];
+      each.options.constraints[e] = whole.options.constraints[each.kept.edge[e]];
     }
   }
   for (const auto& [first, other] : copies) {
@@ -154,7 +154,7 @@ std::optional<OneOfEach> one_of_each(const Asked& whole) {
 namespace {
 
 /// Of each edge of the whole its number in the kept surface; none of those that aren't kept.
-IdVector<EdgeId, EdgeId> numbers_kept(const Asked& whole, const OneOfEach& each) {
+IdVector<EdgeId, EdgeId> numbers_kept(const UnfoldProblem& whole, const OneOfEach& each) {
   IdVector<EdgeId, EdgeId> number(whole.surface.edge_count());
   for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
     number[each.kept.edge[e]] = e;
@@ -164,7 +164,7 @@ IdVector<EdgeId, EdgeId> numbers_kept(const Asked& whole, const OneOfEach& each)
 
 }  // namespace
 
-MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each) {
+MirrorImages mirror_images_of(const UnfoldProblem& whole, const OneOfEach& each) {
   const Weights& weights = whole.options.pieces.weights;
   const IdVector<EdgeId, EdgeId> number = numbers_kept(whole, each);
   MirrorImages result;
@@ -208,7 +208,7 @@ Vec2 mirrored(Vec2 p) {
 /// copies.
 class WayBack {
  public:
-  WayBack(const Asked& whole, const OneOfEach& each) : whole_(whole), each_(each) {
+  WayBack(const UnfoldProblem& whole, const OneOfEach& each) : whole_(whole), each_(each) {
     place_.resize(each.kept.face.size());
     copies_.resize(each.kept.face.size());
     for (const CopiedBody& copy : each.copies) {
@@ -241,7 +241,7 @@ class WayBack {
   }
 
  private:
-  const Asked& whole_;
+  const UnfoldProblem& whole_;
   const OneOfEach& each_;
   IdVector<FaceId, std::uint32_t> place_;  ///< in CopiedBody::from
   IdVector<FaceId, std::vector<const CopiedBody*>> copies_;
@@ -260,7 +260,7 @@ std::vector<Vec2> polygon_of(const std::vector<Vec2>& polygon, bool mirrors) {
 }
 
 /// The part that most of a piece's area belongs to: pieces come by it.
-PartId main_part(const Asked& whole, const std::vector<FaceId>& faces) {
+PartId main_part(const UnfoldProblem& whole, const std::vector<FaceId>& faces) {
   std::map<PartId, double> area;
   for (const FaceId f : faces) {
     area[whole.part[f]] += whole.surface.area(f);
@@ -270,7 +270,7 @@ PartId main_part(const Asked& whole, const std::vector<FaceId>& faces) {
       ->first;
 }
 
-Piece copied_piece(const Asked& whole, const WayBack& way, const Piece& piece, const CopiedBody* in) {
+Piece copied_piece(const UnfoldProblem& whole, const WayBack& way, const Piece& piece, const CopiedBody* in) {
   Piece copy = piece;
   copy.parts.clear();
   for (FaceId& f : copy.faces) {
@@ -295,7 +295,7 @@ Piece copied_piece(const Asked& whole, const WayBack& way, const Piece& piece, c
 
 }  // namespace
 
-Nets with_copies(const Asked& whole, const OneOfEach& each, const Nets& nets) {
+Nets with_copies(const UnfoldProblem& whole, const OneOfEach& each, const Nets& nets) {
   const WayBack way(whole, each);
   Nets all;
   all.notes = nets.notes;
@@ -334,7 +334,7 @@ Nets with_copies(const Asked& whole, const OneOfEach& each, const Nets& nets) {
   return all;
 }
 
-std::optional<Nets> without_copies(const Asked& whole, const OneOfEach& each, const Nets& nets) {
+std::optional<Nets> without_copies(const UnfoldProblem& whole, const OneOfEach& each, const Nets& nets) {
   const WayBack way(whole, each);
   Nets result;
   result.use = IdVector<EdgeId, EdgeUse>(each.kept.edge.size());
@@ -370,7 +370,7 @@ std::optional<Nets> without_copies(const Asked& whole, const OneOfEach& each, co
   return result;
 }
 
-void copy_tabs(const Asked& whole, const OneOfEach& each, const Nets& tabbed, Nets& nets) {
+void copy_tabs(const UnfoldProblem& whole, const OneOfEach& each, const Nets& tabbed, Nets& nets) {
   const WayBack way(whole, each);
   // Of each edge of the whole the join without copies that it is an image of, and where.
   IdVector<EdgeId, std::pair<JoinId, const CopiedBody*>> source(whole.surface.edge_count());

@@ -27,31 +27,32 @@ struct OneOfEach {
   prepare::PartOf kept;
   prepare::Panels panels;
   IdVector<FaceId, PartId> part;  ///< as in the whole: some numbers may not occur
-  Options options;                ///< with the wishes for its edges
+  Options options;                ///< with the constraints for its edges
   std::vector<CopiedBody> copies;
 
   /// To be unfolded; refers to this object.
-  [[nodiscard]] Asked asked() const { return {kept.surface, panels, part, options}; }
+  [[nodiscard]] UnfoldProblem problem() const { return {kept.surface, panels, part, options}; }
 };
 
 /// Of the bodies that Options::twins names those can have the nets of another one that are divided into parts
-/// as that one is, with faces of no other body in these parts, and of whose edges the same is wished for.
+/// as that one is, with faces of no other body in these parts, and of whose edges the same is requested.
 /// Nothing where there are none. O(n log n).
-[[nodiscard]] std::optional<OneOfEach> one_of_each(const Asked& whole);
+[[nodiscard]] std::optional<OneOfEach> one_of_each(const UnfoldProblem& whole);
 
 /// mirror_images for the surface without copies: at the plane of the whole surface, and in bodies that there
 /// are copies of at their own; the plane is that of the whole surface.
-[[nodiscard]] MirrorImages mirror_images_of(const Asked& whole, const OneOfEach& each);
+[[nodiscard]] MirrorImages mirror_images_of(const UnfoldProblem& whole, const OneOfEach& each);
 
 /// The nets of the whole surface, once those of one of each kind are finished (holes and folding too, and
 /// tabs where they are wanted). A copy has its pieces with all that is on them, mirrored where it is. O(n log
 /// n).
-[[nodiscard]] Nets with_copies(const Asked& whole, const OneOfEach& each, const Nets& nets);
+[[nodiscard]] Nets with_copies(const UnfoldProblem& whole, const OneOfEach& each, const Nets& nets);
 
 /// The nets of the whole without copies, and the way back for new tabs alone; nothing where some copy has
 /// other nets than its original. O(n log n).
-[[nodiscard]] std::optional<Nets> without_copies(const Asked& whole, const OneOfEach& each, const Nets& nets);
+[[nodiscard]] std::optional<Nets> without_copies(const UnfoldProblem& whole, const OneOfEach& each,
+                                                 const Nets& nets);
 /// Gives nets of the whole, whose joins are numbered, the tabs of those without copies. O(n log n).
-void copy_tabs(const Asked& whole, const OneOfEach& each, const Nets& tabbed, Nets& nets);
+void copy_tabs(const UnfoldProblem& whole, const OneOfEach& each, const Nets& tabbed, Nets& nets);
 
 }  // namespace ridgecraft::unfold

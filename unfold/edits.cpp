@@ -19,7 +19,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/nets_of_folds.hpp"
@@ -60,11 +60,11 @@ Causes causes_in(const Nets& nets) {
 }
 
 /// The pieces that `changed.use` says, in their order, each face where `changed.flat` has it, without joins,
-/// tabs, kinds of equal pieces and notes. Pieces that were there `before` are folded as they were. `wishes`:
-/// of each edge, or none. O(n log n) but for the order in which new pieces are folded.
+/// tabs, kinds of equal pieces and notes. Pieces that were there `before` are folded as they were.
+/// `constraints`: of each edge, or none. O(n log n) but for the order in which new pieces are folded.
 Nets nets_of_uses(const mesh::Surface& surface, const prepare::Panels& panels,
-                  const IdVector<FaceId, PartId>& part, const EdgeWishes& wishes, const Nets& before,
-                  const Nets& changed, const Causes& causes, const Context& context) {
+                  const IdVector<FaceId, PartId>& part, const EdgeConstraints& constraints,
+                  const Nets& before, const Nets& changed, const Causes& causes, const Context& context) {
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
@@ -75,7 +75,7 @@ Nets nets_of_uses(const mesh::Surface& surface, const prepare::Panels& panels,
   }
   Nets nets = nets_of_folds(surface, part, make_patch(surface, panels, faces), folds, causes);
   nets.flat = changed.flat;
-  nets.broken_wishes = count_broken(wishes, nets);
+  nets.broken_constraints = count_broken(constraints, nets);
   count_holes(surface, nets);
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     Piece& piece = nets.pieces[p];
@@ -103,14 +103,14 @@ Rigid onto(const Nets& nets, CornerId stays, CornerId moves) {
 
 /// Edges that stay cut, should they come to lie within one piece: those that were to be cut, and those that
 /// are cut within a piece already, as the paper gapes there.
-EdgeWishes slits_of(const mesh::Surface& surface, const EdgeWishes& wishes, const Nets& nets) {
-  EdgeWishes slits(surface.edge_count(), EdgeWish::none);
+EdgeConstraints slits_of(const mesh::Surface& surface, const EdgeConstraints& constraints, const Nets& nets) {
+  EdgeConstraints slits(surface.edge_count(), EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
-    const bool asked = !wishes.empty() && wishes[e] == EdgeWish::cut;
+    const bool asked = !constraints.empty() && constraints[e] == EdgeConstraint::cut;
     if (nets.use[e] == EdgeUse::cut &&
         (asked || nets.piece[mesh::face_of(c)] == nets.piece[mesh::face_of(d)])) {
-      slits[e] = EdgeWish::cut;
+      slits[e] = EdgeConstraint::cut;
     }
   }
   return slits;
@@ -180,7 +180,7 @@ ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels
   for (const FaceId f : smaller) {
     causes[f.value()] = {PieceReason::request, smaller.front().value()};
   }
-  return nets_of_uses(surface, panels, part, options.wishes, nets, changed, causes, context);
+  return nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes, context);
 }
 
 ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
@@ -224,8 +224,9 @@ ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels
     return Refusal{names + " stay apart: joined they would be larger than the paper", beside};
   }
   changed.use[edge] = EdgeUse::fold;
-  close_flat_cuts(surface, panels, slits_of(surface, options.wishes, nets), changed);
-  Nets joined = nets_of_uses(surface, panels, part, options.wishes, nets, changed, causes_in(nets), context);
+  close_flat_cuts(surface, panels, slits_of(surface, options.constraints, nets), changed);
+  Nets joined =
+      nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes_in(nets), context);
   const Piece& made = joined.pieces[joined.piece[beside[0]]];
   if (options.pieces.fold_linear && made.folding.way != FoldWay::together) {
     return Refusal{names + " stay apart: joined they wouldn't fold with all creases together", beside};
@@ -260,9 +261,9 @@ Alone alone(const mesh::Surface& surface, const prepare::Panels& panels, const O
     }
     most = std::max(most, own.size());
   }
-  one.options.wishes = EdgeWishes(one.from.edge.size(), EdgeWish::none);
-  for (const EdgeId e : ids<EdgeId>(options.wishes.empty() ? 0 : one.from.edge.size())) {
-    one.options.wishes[e] = options.wishes[one.from.edge[e]];
+  one.options.constraints = EdgeConstraints(one.from.edge.size(), EdgeConstraint::none);
+  for (const EdgeId e : ids<EdgeId>(options.constraints.empty() ? 0 : one.from.edge.size())) {
+    one.options.constraints[e] = options.constraints[one.from.edge[e]];
   }
   return one;
 }
@@ -282,7 +283,7 @@ std::vector<EdgeId> folds_of(const Alone& one, const Nets& before) {
     const auto [c, d] = one.from.surface.sides(e);
     if (d.valid() && before.use[one.from.edge[e]] == EdgeUse::fold &&
         one.panels.panel[mesh::face_of(c)] != one.panels.panel[mesh::face_of(d)] &&
-        one.options.wishes[e] == EdgeWish::none) {
+        one.options.constraints[e] == EdgeConstraint::none) {
       folds.push_back(e);
     }
   }
@@ -293,7 +294,7 @@ std::vector<EdgeId> folds_of(const Alone& one, const Nets& before) {
 std::optional<Nets> another_net(Alone one, const Nets& before, const Context& context) {
   constexpr std::size_t most_tries = 8;
   std::vector<EdgeId> folds = folds_of(one, before);
-  const EdgeWishes asked = one.options.wishes;
+  const EdgeConstraints asked = one.options.constraints;
   Random random(context.seed);
   for (std::size_t tries = 0; tries < most_tries; ++tries) {
     Nets found = unfold(one.from.surface, one.panels, one.part, one.options, context);
@@ -305,8 +306,8 @@ std::optional<Nets> another_net(Alone one, const Nets& before, const Context& co
     }
     // One fold after the other, each alone, is not to be one.
     std::swap(folds[random.below(static_cast<std::uint32_t>(folds.size()))], folds.back());
-    one.options.wishes = asked;
-    one.options.wishes[folds.back()] = EdgeWish::cut;
+    one.options.constraints = asked;
+    one.options.constraints[folds.back()] = EdgeConstraint::cut;
     folds.pop_back();
   }
   return std::nullopt;
@@ -334,7 +335,7 @@ ChangedNets retry_pieces(const mesh::Surface& surface, const prepare::Panels& pa
       changed.flat[one.from.face[f]] = found->flat[f];
     }
   }
-  return nets_of_uses(surface, panels, part, options.wishes, nets, changed, causes_in(nets), context);
+  return nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes_in(nets), context);
 }
 
 }  // namespace ridgecraft::unfold

@@ -94,27 +94,29 @@ Room room_of(const Options& options) {
 }
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
-void settle(const Asked& asked, const Context& context, Plan& plan) {
-  EdgeWishes wishes = asked.options.wishes;
-  const PieceRules& rules = asked.options.pieces;
+void settle(const UnfoldProblem& problem, const Context& context, Plan& plan) {
+  EdgeConstraints constraints = problem.options.constraints;
+  const PieceRules& rules = problem.options.pieces;
   if (rules.merge && rules.mode != PieceMode::few) {
-    wishes = with_bands_kept(asked.surface, plan.whole, asked.options.labels.items(), wishes, rules.weights);
+    constraints = with_bands_kept(problem.surface, plan.whole, problem.options.labels.items(), constraints,
+                                  rules.weights);
   }
-  if (wishes.empty()) {
-    plan.group = asked.part;
+  if (constraints.empty()) {
+    plan.group = problem.part;
     return;
   }
-  const double tolerance = net_tolerance(asked.surface.bounds().largest_extent());
-  KeptEdges kept = settle_wishes(asked.surface, plan.whole, wishes, plan.room, tolerance, context);
-  plan.possible_wishes = std::move(kept.wishes);
-  plan.group = parts_of_whole_panels(asked.surface, kept.groups, asked.part);
+  const double tolerance = net_tolerance(problem.surface.bounds().largest_extent());
+  KeptEdges kept =
+      settle_constraints(problem.surface, plan.whole, constraints, plan.room, tolerance, context);
+  plan.possible_constraints = std::move(kept.constraints);
+  plan.group = parts_of_whole_panels(problem.surface, kept.groups, problem.part);
 }
 
 }  // namespace
 
-void refuse_large_faces(const Asked& asked) {
-  const mesh::Surface& surface = asked.surface;
-  const std::optional<Sheet>& sheet = asked.options.sheet;
+void refuse_large_faces(const UnfoldProblem& problem) {
+  const mesh::Surface& surface = problem.surface;
+  const std::optional<Sheet>& sheet = problem.options.sheet;
   if (!sheet) {
     return;
   }
@@ -128,11 +130,11 @@ void refuse_large_faces(const Asked& asked) {
   }
 }
 
-Plan make_plan(const Asked& asked, const Context& context) {
+Plan make_plan(const UnfoldProblem& problem, const Context& context) {
   Plan plan;
-  plan.room = room_of(asked.options);
-  plan.whole = fitting_panels(asked.surface, asked.panels, plan.room, context, plan.notes);
-  settle(asked, context, plan);
+  plan.room = room_of(problem.options);
+  plan.whole = fitting_panels(problem.surface, problem.panels, plan.room, context, plan.notes);
+  settle(problem, context, plan);
   return plan;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is settled before anything is unfolded: what pieces have room for, what stays whole, which wishes can
-// come true.
+// What is settled before anything is unfolded: what pieces have room for, what stays whole, which constraints
+// can come true.
 #pragma once
 
 #include <string>
@@ -10,38 +10,39 @@
 #include "base/id.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
-/// What unfold() was given, for all its steps. Whoever makes one keeps what it refers to.
-struct Asked {
+/// What unfold() was given, for all its steps; a search over pieces gets a NetProblem (patch/problem.hpp) made
+/// of it. The caller keeps what it refers to.
+struct UnfoldProblem {
   const mesh::Surface& surface;
   /// The flat regions of the model. Finished nets go by them: where two sides of a cut inside a region lie on
   /// each other, the paper is whole, and a tab may be glued behind all of a region that one piece has.
   const prepare::Panels& panels;
   const IdVector<FaceId, PartId>& part;
-  const Options& options;  ///< with all that was wished for, be it possible or not
+  const Options& options;  ///< with all that was requested, be it possible or not
 };
 
-/// What follows from that before the first search. Where nothing is too large and nothing is wished for, its
+/// What follows from that before the first search. Where nothing is too large and nothing is requested, its
 /// panels and groups are those that were given.
 struct Plan {
   Room room;  ///< that each piece has
   /// What searches keep whole: the flat regions, but those that no piece could hold are divided. Between two
   /// shares of one region lies an edge like any other, which may be cut and then wants a tab.
   prepare::Panels whole;
-  EdgeWishes possible_wishes;      ///< of those in Asked::options; empty if there are none
+  EdgeConstraints possible_constraints;  ///< of those in UnfoldProblem::options; empty if there are none
   IdVector<FaceId, PartId> group;  ///< faces that are unfolded together: parts that keep what is to be kept
   std::vector<std::string> notes;  ///< for Nets::notes
 };
 
 /// Throws Error(no_nets) where a face is larger than the sheet: it can't be cut from any. O(n).
-void refuse_large_faces(const Asked& asked);
+void refuse_large_faces(const UnfoldProblem& problem);
 
-/// O(n) but for regions that have to be divided and wishes. Throws Error(interrupted).
-[[nodiscard]] Plan make_plan(const Asked& asked, const Context& context);
+/// O(n) but for regions that have to be divided and constraints. Throws Error(interrupted).
+[[nodiscard]] Plan make_plan(const UnfoldProblem& problem, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -207,29 +207,30 @@ bool wants_all_tabs(const Options& options) {
   return options.tabs.wanted && options.tabs.split_pieces;
 }
 
-AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch, const Folds& folds,
+AllTabs give_all_tabs(const UnfoldProblem& problem, const Plan& plan, const Patch& patch, const Folds& folds,
                       const Causes& causes, const Context& context) {
   if (context.out_of_time()) {
     return {folds, causes, 0, false};
   }
   // Nets as they will be returned: tabs go by the flat regions of the model.
   const NetsOf nets_of = [&](const Folds& tried) {
-    Nets nets = nets_of_folds(asked.surface, asked.part, patch, tried, causes);
-    close_flat_cuts(asked.surface, asked.panels, plan.possible_wishes, nets);
-    give_tabs(asked.surface, asked.panels, asked.options, nets, context);
+    Nets nets = nets_of_folds(problem.surface, problem.part, patch, tried, causes);
+    close_flat_cuts(problem.surface, problem.panels, plan.possible_constraints, nets);
+    give_tabs(problem.surface, problem.panels, problem.options, nets, context);
     return nets;
   };
-  TabSplit split = split_for_tabs(asked.surface, asked.panels, patch, folds, plan.room, asked.options.tabs,
-                                  nets_of, net_tolerance(patch.extent), context.seed, context);
+  TabSplit split =
+      split_for_tabs(problem.surface, problem.panels, patch, folds, plan.room, problem.options.tabs, nets_of,
+                     net_tolerance(patch.extent), context.seed, context);
   AllTabs result{std::move(split.folds), causes, 0, !context.out_of_time()};
   result.split_pieces = blame(patch, folds, result.folds, PieceReason::tabs, result.causes);
   return result;
 }
 
-void note_all_tabs(const Asked& asked, const AllTabs& split, Nets& nets) {
+void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& nets) {
   const auto narrow = static_cast<std::size_t>(
       std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; }));
-  const std::size_t usable = tabs_usable(asked.surface, nets, asked.options.tabs);
+  const std::size_t usable = tabs_usable(problem.surface, nets, problem.options.tabs);
   std::vector<std::string> facts;
   facts.push_back((split.split_pieces == 0 ? std::string("no piece had to be")
                                            : counted(split.split_pieces, " piece was", " pieces were")) +

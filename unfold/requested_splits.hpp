@@ -44,10 +44,10 @@ struct AllTabs {
 
 /// Splits pieces of these folds as pieces/tab_split.hpp does; where the time is up already, gives them back
 /// as they are. `patch`: whole_patch. Throws Error(interrupted).
-[[nodiscard]] AllTabs give_all_tabs(const Asked& asked, const Plan& plan, const Patch& patch,
+[[nodiscard]] AllTabs give_all_tabs(const UnfoldProblem& problem, const Plan& plan, const Patch& patch,
                                     const Folds& folds, const Causes& causes, const Context& context);
 
 /// What that came to, of finished nets, as a note of theirs.
-void note_all_tabs(const Asked& asked, const AllTabs& split, Nets& nets);
+void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& nets);
 
 }  // namespace ridgecraft::unfold

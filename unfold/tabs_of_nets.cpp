@@ -18,36 +18,37 @@
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/slot_tabs.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
 void give_tabs_once(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                    Nets& nets, const Context& context, std::span<const TabWish> wishes) {
-  place_tabs(surface, panels, options.tabs, nets, context, {}, wishes);
+                    Nets& nets, const Context& context, std::span<const TabRequest> requests) {
+  place_tabs(surface, panels, options.tabs, nets, context, {}, requests);
   if (options.sheet) {
-    fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context, wishes);
+    fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context, requests);
   }
 }
 
 /// Arrows where there is room for their slits, then tabs once more: as they always are where there is none.
 void give_slots(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                Nets& nets, const Context& context, const TabChoice& choice, std::vector<TabWish>& wishes) {
+                Nets& nets, const Context& context, const TabChoice& choice,
+                std::vector<TabRequest>& requests) {
   std::vector<std::uint8_t> slots;
-  for (const TabWish& wish : wishes) {
-    slots.push_back(wish.slot ? 1 : 0);
+  for (const TabRequest& request : requests) {
+    slots.push_back(request.slot ? 1 : 0);
   }
   slots = put_into_slits(surface, panels, slots, nets, context);
   TabChoice glued = choice;
   glued.sides = TabSides::best;
-  const std::vector<TabWish> others = tab_wishes(surface, nets, options.tabs, glued);
-  for (std::size_t j = 0; j < wishes.size(); ++j) {
+  const std::vector<TabRequest> others = tab_requests(surface, nets, options.tabs, glued);
+  for (std::size_t j = 0; j < requests.size(); ++j) {
     if (slots[j] == 0) {
-      wishes[j] = others[j];
+      requests[j] = others[j];
     }
   }
-  give_tabs_once(surface, panels, options, nets, context, wishes);
+  give_tabs_once(surface, panels, options, nets, context, requests);
   put_into_slits(surface, panels, slots, nets, context);
 }
 
@@ -65,12 +66,12 @@ void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, cons
     give_tabs_once(surface, panels, options, nets, context, {});
   }
   if (choice.any()) {
-    std::vector<TabWish> wishes = tab_wishes(surface, nets, options.tabs, choice);
-    give_tabs_once(surface, panels, options, nets, context, wishes);
+    std::vector<TabRequest> requests = tab_requests(surface, nets, options.tabs, choice);
+    give_tabs_once(surface, panels, options, nets, context, requests);
     if (choice.sides == TabSides::slots) {
-      give_slots(surface, panels, options, nets, context, choice, wishes);
+      give_slots(surface, panels, options, nets, context, choice, requests);
     }
-    add_more_tabs(surface, panels, options, wishes, choice, nets, context);
+    add_more_tabs(surface, panels, options, requests, choice, nets, context);
   }
 }
 
@@ -80,9 +81,10 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   for (const FaceId f : ids<FaceId>(part.size())) {
     part[f] = PartId(surface.component(f).value());
   }
-  const Asked whole{surface, panels, part, options};
+  const UnfoldProblem whole{surface, panels, part, options};
   const std::optional<OneOfEach> each = one_of_each(whole);
-  // Equal bodies get equal tabs, unless some edge has a wish of its own, or tabs that copies don't know of.
+  // Equal bodies get equal tabs, unless some edge has a request of its own, or tabs that copies don't know
+  // of.
   const bool alike = choice.edges.empty() && choice.at.empty() && !choice.borders &&
                      choice.sides != TabSides::both && choice.sides != TabSides::slots;
   std::optional<Nets> originals = each && alike ? without_copies(whole, *each, nets) : std::nullopt;
@@ -93,22 +95,22 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
   } else {
     give_tabs(surface, panels, options, nets, context, choice);
   }
-  add_foot_tabs(surface, options, choice, nets, context);
+  add_base_tabs(surface, options, choice, nets, context);
   nets.equal = find_equal_pieces(surface, nets);
 }
 
-void add_foot_tabs(const mesh::Surface& surface, const Options& options, const TabChoice& choice, Nets& nets,
+void add_base_tabs(const mesh::Surface& surface, const Options& options, const TabChoice& choice, Nets& nets,
                    const Context& context) {
-  if (!options.tabs.wanted || !options.tabs.at_feet) {
+  if (!options.tabs.wanted || !options.tabs.at_open_bases) {
     return;
   }
-  std::vector<FootSide> feet = find_feet(surface, context);
+  std::vector<BaseSide> bases = find_open_bases(surface, context);
   std::set<CornerId> with_tab;
   for (const Tab& tab : nets.tabs) {
     with_tab.insert(tab.side);
   }
-  std::erase_if(feet, [&](const FootSide& foot) { return with_tab.contains(foot.side); });
-  if (feet.empty()) {
+  std::erase_if(bases, [&](const BaseSide& base) { return with_tab.contains(base.side); });
+  if (bases.empty()) {
     return;
   }
   const std::size_t first = nets.tabs.size();
@@ -120,10 +122,10 @@ void add_foot_tabs(const mesh::Surface& surface, const Options& options, const T
     tabs.add_standing(standing[static_cast<std::size_t>(at)], tab);
   }
   const TabOptions highest = with_greatest_height(options.tabs, choice);
-  for (const TabSite& site : find_foot_sites(surface, nets, feet, highest, context)) {
+  for (const TabSite& site : find_base_sites(surface, nets, bases, highest, context)) {
     const TabOptions own = options_for(options.tabs, choice, site.length);
     Tab tab;
-    tab.of_foot = true;
+    tab.of_base = true;
     tabs.place(site, largest_tab({0.0, site.length, site.length}, site.obstacles, own, TabNeed::usable), own,
                tab);
   }

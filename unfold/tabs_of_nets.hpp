@@ -12,7 +12,7 @@ namespace ridgecraft::unfold {
 
 /// Numbers the joins of these nets and gives them tabs as the options say, each body by itself, whatever
 /// others are its equals, then as a choice says that asks for anything. Tabs that were
-/// there are lost. Throws Error(interrupted), and Error(unreadable_input) as tab_wishes().
+/// there are lost. Throws Error(interrupted), and Error(unreadable_input) as tab_requests().
 void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
                Nets& nets, const Context& context, const TabChoice& choice = {});
 
@@ -26,12 +26,12 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
 
 // Tabs by which bodies are glued onto others that they stand on.
 
-/// Gives each side of a foot (tabs/place/sites.hpp) that has no tab yet one that is folded inwards and lies
-/// within the foot's opening, where there is room. They come after all other tabs and keep clear of these;
-/// pieces that don't fit the sheet with them get none. None where no tabs are wanted, or none at feet
+/// Gives each side of a base (tabs/place/sites.hpp) that has no tab yet one that is folded inwards and lies
+/// within the base's opening, where there is room. They come after all other tabs and keep clear of these;
+/// pieces that don't fit the sheet with them get none. None where no tabs are wanted, or none at bases
 /// (TabOptions). Heights and angles are those of the choice. O(n log n), and the square of a piece's tabs.
 /// Throws Error(interrupted).
-void add_foot_tabs(const mesh::Surface& surface, const Options& options, const TabChoice& choice, Nets& nets,
+void add_base_tabs(const mesh::Surface& surface, const Options& options, const TabChoice& choice, Nets& nets,
                    const Context& context);
 
 }  // namespace ridgecraft::unfold

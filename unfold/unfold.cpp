@@ -33,10 +33,10 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// All wishes count here, those that were dropped beforehand as well.
-void note_broken_wishes(const EdgeWishes& wishes, Nets& nets) {
-  const std::size_t broken = count_broken(wishes, nets);
-  nets.broken_wishes = broken;
+/// All constraints count here, those that were dropped beforehand as well.
+void note_broken_constraints(const EdgeConstraints& constraints, Nets& nets) {
+  const std::size_t broken = count_broken(constraints, nets);
+  nets.broken_constraints = broken;
   if (broken > 0) {
     nets.notes.push_back(std::to_string(broken) + (broken == 1 ? " edge that was" : " edges that were") +
                          " to be kept are cut: as folds they would close a loop, overlap or fit no page");
@@ -70,11 +70,11 @@ std::size_t more_pieces(const Nets& originals, const Nets& all, PieceReason reas
 /// left it. Of equal bodies one is unfolded.
 class Unfolding {
  public:
-  Unfolding(const Asked& whole, const Context& context)
+  Unfolding(const UnfoldProblem& whole, const Context& context)
       : whole_(whole),
         context_(context),
         each_(one_of_each(whole)),
-        asked_(each_ ? each_->asked() : whole),
+        asked_(each_ ? each_->problem() : whole),
         plan_(make_plan(asked_, context)),
         patch_(whole_patch(asked_, plan_)),
         problem_{asked_.surface, plan_.whole, patch_, asked_.part.items(), asked_.options, plan_.room} {}
@@ -144,7 +144,7 @@ class Unfolding {
   /// All nets, with everything that belongs on a piece.
   Nets finished_nets() {
     Nets nets = nets_of_folds(asked_.surface, asked_.part, patch_, split_.folds, split_.causes);
-    close_flat_cuts(asked_.surface, asked_.panels, plan_.possible_wishes, nets);
+    close_flat_cuts(asked_.surface, asked_.panels, plan_.possible_constraints, nets);
     count_holes(asked_.surface, nets);
     insist_on_no_overlap(nets);
     do_in_parallel(nets.pieces.size(), context_, [&](std::size_t i, const Context& own) {
@@ -156,7 +156,7 @@ class Unfolding {
       split_.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
       split_off_to_fold_ += more_pieces(originals, nets, PieceReason::folding);
     }
-    add_foot_tabs(whole_.surface, whole_.options, {}, nets, context_);
+    add_base_tabs(whole_.surface, whole_.options, {}, nets, context_);
     nets.equal = find_equal_pieces(whole_.surface, nets);
     return nets;
   }
@@ -172,7 +172,7 @@ class Unfolding {
     }
     const std::vector<std::string> of_parts = sentences(part_notes_, nets);
     nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
-    note_broken_wishes(whole_.options.wishes, nets);
+    note_broken_constraints(whole_.options.constraints, nets);
     if (whole_.options.pieces.fold_linear) {
       note_linear_folding(split_off_to_fold_, nets);
     }
@@ -181,10 +181,10 @@ class Unfolding {
     }
   }
 
-  const Asked& whole_;
+  const UnfoldProblem& whole_;
   const Context& context_;
   const std::optional<OneOfEach> each_;  ///< where bodies are equal
-  const Asked asked_;                    ///< without the copies of equal bodies
+  const UnfoldProblem asked_;            ///< without the copies of equal bodies
   const Plan plan_;
   const Patch patch_;
   const NetProblem problem_;
@@ -204,7 +204,7 @@ Nets unfold(const mesh::Surface& surface, const prepare::Panels& panels, const I
             const Options& options, const Context& context) {
   context.check();
   context.report("unfold", 0.0);
-  const Asked asked{surface, panels, part, options};
+  const UnfoldProblem asked{surface, panels, part, options};
   refuse_large_faces(asked);
   return Unfolding(asked, context).run();
 }

@@ -90,30 +90,31 @@ struct Task {
 };
 
 /// Why these faces are several patches. What hangs together at needles alone counts as not connected.
-PieceReason why_apart(const Asked& asked, const std::vector<FaceId>& faces) {
-  const EdgeWishes& wishes = asked.options.wishes;
-  const bool connected_before = connected(asked.surface, faces).size() == 1;
-  return connected_before && !wishes.empty() && connected(asked.surface, faces, wishes.items()).size() > 1
+PieceReason why_apart(const UnfoldProblem& problem, const std::vector<FaceId>& faces) {
+  const EdgeConstraints& constraints = problem.options.constraints;
+  const bool connected_before = connected(problem.surface, faces).size() == 1;
+  return connected_before && !constraints.empty() &&
+                 connected(problem.surface, faces, constraints.items()).size() > 1
              ? PieceReason::request
              : PieceReason::component;
 }
 
-std::vector<Task> make_tasks(const Asked& asked, const Plan& plan) {
+std::vector<Task> make_tasks(const UnfoldProblem& problem, const Plan& plan) {
   std::uint32_t groups = 0;
   for (const PartId g : plan.group) {
     groups = std::max(groups, g.value() + 1);
   }
   IdVector<PartId, std::vector<FaceId>> faces(groups);
-  for (const FaceId f : ids<FaceId>(asked.surface.face_count())) {
+  for (const FaceId f : ids<FaceId>(problem.surface.face_count())) {
     faces[plan.group[f]].push_back(f);
   }
-  const EdgeWishes& wishes = plan.possible_wishes;
+  const EdgeConstraints& constraints = plan.possible_constraints;
   std::vector<Task> tasks;
   for (const PartId g : ids<PartId>(groups)) {
-    const PieceReason beside_first = why_apart(asked, faces[g]);
+    const PieceReason beside_first = why_apart(problem, faces[g]);
     PieceReason reason = PieceReason::part;
-    for (auto& patch : connected(asked.surface, faces[g], wishes.items())) {
-      tasks.push_back({asked.part[patch.front()], reason, std::move(patch)});
+    for (auto& patch : connected(problem.surface, faces[g], constraints.items())) {
+      tasks.push_back({problem.part[patch.front()], reason, std::move(patch)});
       reason = beside_first;
     }
   }
@@ -138,27 +139,27 @@ void take_over(const Task& task, const Patch& patch, const PatchNets& nets, Unfo
 
 }  // namespace
 
-Patch whole_patch(const Asked& asked, const Plan& plan) {
+Patch whole_patch(const UnfoldProblem& problem, const Plan& plan) {
   std::vector<FaceId> faces;
-  for (const FaceId f : ids<FaceId>(asked.surface.face_count())) {
+  for (const FaceId f : ids<FaceId>(problem.surface.face_count())) {
     faces.push_back(f);
   }
-  return make_patch(asked.surface, plan.whole, faces, plan.possible_wishes.items(),
-                    asked.options.labels.items());
+  return make_patch(problem.surface, plan.whole, faces, plan.possible_constraints.items(),
+                    problem.options.labels.items());
 }
 
-UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& context) {
-  const std::vector<Task> tasks = make_tasks(asked, plan);
-  UnfoldedParts result{Folds(asked.surface.corner_count(), 0), Causes(asked.surface.face_count()), {}};
+UnfoldedParts unfold_parts(const UnfoldProblem& problem, const Plan& plan, const Context& context) {
+  const std::vector<Task> tasks = make_tasks(problem, plan);
+  UnfoldedParts result{Folds(problem.surface.corner_count(), 0), Causes(problem.surface.face_count()), {}};
   std::vector<std::vector<std::string>> notes(tasks.size());
   do_in_parallel(
       tasks.size(), context,
       [&](std::size_t i, const Context& own) {
-        const Patch patch = make_patch(asked.surface, plan.whole, tasks[i].faces,
-                                       plan.possible_wishes.items(), asked.options.labels.items());
+        const Patch patch = make_patch(problem.surface, plan.whole, tasks[i].faces,
+                                       plan.possible_constraints.items(), problem.options.labels.items());
         const std::uint64_t seed = Random::stream(context.seed, i).next();
-        PatchNets nets = unfold_patch(patch, plan.room, asked.options.panel_cuts, net_tolerance(patch.extent),
-                                      seed, Effort::full, own);
+        PatchNets nets = unfold_patch(patch, plan.room, problem.options.panel_cuts,
+                                      net_tolerance(patch.extent), seed, Effort::full, own);
         take_over(tasks[i], patch, nets, result);
         notes[i] = std::move(nets.notes);
       },

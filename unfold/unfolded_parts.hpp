@@ -39,7 +39,7 @@ using Causes = std::vector<Cause>;
 
 /// The whole surface as one patch: its face i is face i of the surface, and what searches keep whole is
 /// frozen. O(n log n).
-[[nodiscard]] Patch whole_patch(const Asked& asked, const Plan& plan);
+[[nodiscard]] Patch whole_patch(const UnfoldProblem& problem, const Plan& plan);
 
 struct UnfoldedParts {
   Folds folds;    ///< of whole_patch
@@ -49,6 +49,7 @@ struct UnfoldedParts {
 
 /// Each connected set of faces of one group (Plan::group) by itself, as in pieces/patch_nets.hpp; as many at
 /// a time as there are threads. Deterministic for one seed but for the deadline. Throws Error(interrupted).
-[[nodiscard]] UnfoldedParts unfold_parts(const Asked& asked, const Plan& plan, const Context& context);
+[[nodiscard]] UnfoldedParts unfold_parts(const UnfoldProblem& problem, const Plan& plan,
+                                         const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -76,9 +76,13 @@ std::string edges_as_asked(const job::Paper& made) {
   }
   std::size_t cut = 0;
   std::size_t folded = 0;
-  for (const EdgeId e : ids<EdgeId>(made.wishes.size())) {
-    cut += made.wishes[e] == unfold::EdgeWish::cut && made.nets.use[e] == unfold::EdgeUse::cut ? 1U : 0U;
-    folded += made.wishes[e] == unfold::EdgeWish::keep && made.nets.use[e] == unfold::EdgeUse::fold ? 1U : 0U;
+  for (const EdgeId e : ids<EdgeId>(made.constraints.size())) {
+    cut += made.constraints[e] == unfold::EdgeConstraint::cut && made.nets.use[e] == unfold::EdgeUse::cut
+               ? 1U
+               : 0U;
+    folded += made.constraints[e] == unfold::EdgeConstraint::keep && made.nets.use[e] == unfold::EdgeUse::fold
+                  ? 1U
+                  : 0U;
   }
   if (cut > 0 && folded > 0) {
     return fmt::format("{} cut and {} folded as asked", counted(cut, "edge"), folded);
@@ -214,10 +218,10 @@ std::string hard_line(const PaperJob& job, const PaperResult& result, const Glue
   if (std::string lost = numbers_without_room(job, result); !lost.empty()) {
     clauses.push_back(std::move(lost));
   }
-  if (made.nets.broken_wishes > 0) {
-    clauses.push_back(counted(made.nets.broken_wishes, "edge") + " that " +
-                      (made.nets.broken_wishes == 1 ? "was" : "were") + " to be kept " +
-                      (made.nets.broken_wishes == 1 ? "is" : "are") + " cut all the same");
+  if (made.nets.broken_constraints > 0) {
+    clauses.push_back(counted(made.nets.broken_constraints, "edge") + " that " +
+                      (made.nets.broken_constraints == 1 ? "was" : "were") + " to be kept " +
+                      (made.nets.broken_constraints == 1 ? "is" : "are") + " cut all the same");
   }
   if (made.skin.left_crossing > 0) {
     clauses.push_back(counted_bodies(made.skin.left_crossing) + " run into each other");

@@ -225,7 +225,7 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
       json.point(frame.place(target, (*tab.slit)[1]));
       json.raw("]");
     }
-    json.raw(tab.of_foot ? ",\"foot\":true}" : "}");
+    json.raw(tab.of_base ? ",\"foot\":true}" : "}");
   };
   json.list("ridgecraft:tabs", glue.tabs.size(), [&](std::size_t i) { write_tab(nets.tabs[glue.tabs[i]]); });
   if (!glue.more.empty()) {

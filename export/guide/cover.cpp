@@ -192,7 +192,7 @@ void add_facts(const GuideModel& guide, const Box2& box, Group& group) {
 
 /// Whether bodies are glued onto others by tabs at their feet.
 bool has_feet(const GuideModel& guide) {
-  return std::ranges::any_of(guide.nets->tabs, &unfold::Tab::of_foot);
+  return std::ranges::any_of(guide.nets->tabs, &unfold::Tab::of_base);
 }
 
 void add_advice(const GuideModel& guide, const Box2& box, Group& group) {

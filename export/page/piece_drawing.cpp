@@ -151,7 +151,7 @@ class PieceDrawer {
       for (const Vec2 p : tab.polygon) {
         area.push_back(place_(p));
       }
-      bases.push_back({{area[0], area[1]}, tab.of_foot ? Fold::mountain : fold_of(surface_.edge(tab.side))});
+      bases.push_back({{area[0], area[1]}, tab.of_base ? Fold::mountain : fold_of(surface_.edge(tab.side))});
       // What goes into a slit isn't glued, and its neck is seen on the finished model.
       if (!tab.slit) {
         result_.group.areas.push_back({Layer::tab_fill, std::move(area)});

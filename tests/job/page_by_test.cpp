@@ -88,7 +88,7 @@ TEST_CASE("pages of one object", "[job]") {
   }
 }
 
-TEST_CASE("without a wish pages hold anything", "[job]") {
+TEST_CASE("without a constraint pages hold anything", "[job]") {
   const job::Paper paper = made(job::PageBy::any);
   CHECK(paper.pages.names.empty());
   std::map<PageId, std::set<std::string>> objects;

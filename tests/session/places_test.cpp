@@ -303,15 +303,15 @@ TEST_CASE("edges that were to be kept are counted after each edit", "[session]")
   const Project plain = session::open(cube());
   const mesh::Surface& surface = surface_of(plain);
   job::Paper made = *plain.start;
-  made.wishes = unfold::EdgeWishes(surface.edge_count(), unfold::EdgeWish::none);
+  made.constraints = unfold::EdgeConstraints(surface.edge_count(), unfold::EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    made.wishes[e] = unfold::EdgeWish::keep;
+    made.constraints[e] = unfold::EdgeConstraint::keep;
   }
   made.early_notes = {"a note of a stage before"};
   const Project start = session::open(made);
   const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
   // A cube's net has seven cuts.
-  CHECK(cut.now.nets.broken_wishes == 8);
+  CHECK(cut.now.nets.broken_constraints == 8);
   CHECK(cut.now.nets.notes == made.early_notes);
 }
 
@@ -319,10 +319,10 @@ TEST_CASE("edges that were to be cut stay so when a join lays them on each other
   const Project start = session::open(sample("mug.obj"));
   const mesh::Surface& surface = surface_of(start);
   job::Paper made = *start.start;
-  made.wishes = unfold::EdgeWishes(surface.edge_count(), unfold::EdgeWish::none);
+  made.constraints = unfold::EdgeConstraints(surface.edge_count(), unfold::EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    made.wishes[e] =
-        start.now.nets.use[e] == unfold::EdgeUse::cut ? unfold::EdgeWish::cut : unfold::EdgeWish::none;
+    made.constraints[e] = start.now.nets.use[e] == unfold::EdgeUse::cut ? unfold::EdgeConstraint::cut
+                                                                        : unfold::EdgeConstraint::none;
   }
   const Project asked = session::open(made);
   std::size_t joins = 0;

@@ -16,8 +16,8 @@
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
-using unfold::EdgeWish;
-using unfold::EdgeWishes;
+using unfold::EdgeConstraint;
+using unfold::EdgeConstraints;
 using unfold::Weights;
 
 namespace {
@@ -51,13 +51,13 @@ mesh::Surface turned_by_halves(const std::vector<Vec2>& levels, std::uint32_t st
   return mesh::Surface(std::move(points), std::move(faces));
 }
 
-/// How many edges have each wish.
-std::size_t count(const EdgeWishes& wishes, EdgeWish wish) {
-  return static_cast<std::size_t>(std::count(wishes.begin(), wishes.end(), wish));
+/// How many edges have each constraint.
+std::size_t count(const EdgeConstraints& constraints, EdgeConstraint constraint) {
+  return static_cast<std::size_t>(std::count(constraints.begin(), constraints.end(), constraint));
 }
 
-EdgeWishes kept(const mesh::Surface& surface, const EdgeWishes& wishes = {}) {
-  return unfold::with_bands_kept(surface, prepare::find_panels(surface), {}, wishes, Weights());
+EdgeConstraints kept(const mesh::Surface& surface, const EdgeConstraints& constraints = {}) {
+  return unfold::with_bands_kept(surface, prepare::find_panels(surface), {}, constraints, Weights());
 }
 
 /// Per band of a surface, how many of its rungs are cut in its nets.
@@ -83,10 +83,10 @@ std::vector<std::size_t> cuts_across(const mesh::Surface& surface) {
 
 TEST_CASE("walls of quads, and of triangles up and down, are cut at one seam", "[bands][pieces]") {
   const mesh::Surface quads = test::revolve({{0, 0}, {30, 0}, {36, 30}, {30, 60}, {20, 80}, {0, 80}}, 12);
-  CHECK(count(kept(quads), EdgeWish::band) == 3 * 11);
+  CHECK(count(kept(quads), EdgeConstraint::band) == 3 * 11);
   CHECK(cuts_across(quads) == std::vector<std::size_t>{1, 1, 1});
   const mesh::Surface triangles = turned_by_halves({{27, 0}, {31, 30}, {36, 62}, {31, 94}}, 8);
-  CHECK(count(kept(triangles), EdgeWish::band) == 3 * 15);
+  CHECK(count(kept(triangles), EdgeConstraint::band) == 3 * 15);
   CHECK(cuts_across(triangles) == std::vector<std::size_t>{1, 1, 1});
 }
 
@@ -101,28 +101,29 @@ TEST_CASE("strips are kept however large the model is and however it lies", "[ba
   for (const FaceId f : ids<FaceId>(vase.face_count())) {
     faces.push_back(vase.vertices(f));
   }
-  CHECK(count(kept(mesh::Surface(std::move(points), std::move(faces))), EdgeWish::band) == 3 * 15);
+  CHECK(count(kept(mesh::Surface(std::move(points), std::move(faces))), EdgeConstraint::band) == 3 * 15);
 }
 
 TEST_CASE("narrow rings, zigzags and ragged strips stay free", "[bands]") {
   // A rim 5 mm high around 18 mm long sides may hang on the disk in flaps.
-  CHECK(count(kept(test::revolve({{0, 0}, {35, 0}, {35, 5}, {0, 5}}, 12)), EdgeWish::band) == 0);
+  CHECK(count(kept(test::revolve({{0, 0}, {35, 0}, {35, 5}, {0, 5}}, 12)), EdgeConstraint::band) == 0);
   // Nearly flat rings of triangles turn their rims at each corner.
-  CHECK(count(kept(turned_by_halves({{20, 0}, {40, 2}}, 5)), EdgeWish::band) == 0);
+  CHECK(count(kept(turned_by_halves({{20, 0}, {40, 2}}, 5)), EdgeConstraint::band) == 0);
 }
 
-TEST_CASE("a wish for a rung, or a border of labels across a wall, leaves the wall as it is", "[bands]") {
+TEST_CASE("a constraint for a rung, or a border of labels across a wall, leaves the wall as it is",
+          "[bands]") {
   const mesh::Surface tube = test::revolve({{0, 0}, {10, 0}, {10, 40}, {0, 40}}, 8);
-  const EdgeWishes strip = kept(tube);
-  REQUIRE(count(strip, EdgeWish::band) == 7);
-  const auto rung = std::find(strip.begin(), strip.end(), EdgeWish::band) - strip.begin();
-  for (const EdgeWish wish : {EdgeWish::cut, EdgeWish::keep}) {
-    EdgeWishes asked(tube.edge_count(), EdgeWish::none);
-    asked[EdgeId(static_cast<std::uint32_t>(rung))] = wish;
-    const EdgeWishes both = kept(tube, asked);
-    CHECK(both[EdgeId(static_cast<std::uint32_t>(rung))] == wish);
+  const EdgeConstraints strip = kept(tube);
+  REQUIRE(count(strip, EdgeConstraint::band) == 7);
+  const auto rung = std::find(strip.begin(), strip.end(), EdgeConstraint::band) - strip.begin();
+  for (const EdgeConstraint constraint : {EdgeConstraint::cut, EdgeConstraint::keep}) {
+    EdgeConstraints asked(tube.edge_count(), EdgeConstraint::none);
+    asked[EdgeId(static_cast<std::uint32_t>(rung))] = constraint;
+    const EdgeConstraints both = kept(tube, asked);
+    CHECK(both[EdgeId(static_cast<std::uint32_t>(rung))] == constraint);
     // What is cut is the seam, then; beside what is kept the others are.
-    CHECK(count(both, EdgeWish::band) == (wish == EdgeWish::cut ? 7 : 6));
+    CHECK(count(both, EdgeConstraint::band) == (constraint == EdgeConstraint::cut ? 7 : 6));
   }
   const prepare::Panels panels = prepare::find_panels(tube);
   std::vector<std::uint32_t> labels;
@@ -130,5 +131,5 @@ TEST_CASE("a wish for a rung, or a border of labels across a wall, leaves the wa
     const auto [a, b, c] = tube.vertices(f);
     labels.push_back((tube.point(a) + tube.point(b) + tube.point(c)).x > 0.0 ? 1 : 0);
   }
-  CHECK(count(unfold::with_bands_kept(tube, panels, labels, {}, Weights()), EdgeWish::band) == 0);
+  CHECK(count(unfold::with_bands_kept(tube, panels, labels, {}, Weights()), EdgeConstraint::band) == 0);
 }

@@ -122,12 +122,13 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
     folds[side] = nets.use[edge] == unfold::EdgeUse::fold ? 1 : 0;
   }
   // What lies across a strip that stays one is no neck.
-  const unfold::EdgeWishes strips =
+  const unfold::EdgeConstraints strips =
       unfold::with_bands_kept(model.surface, model.panels, model.labels.items(), {}, Weights());
   for (std::uint32_t side = 0; side < folds.size() && !strips.empty(); ++side) {
     const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
-    patch.frozen[side] = strips[edge] == unfold::EdgeWish::band && folds[side] != 0 ? unfold::frozen_in_band
-                                                                                    : patch.frozen[side];
+    patch.frozen[side] = strips[edge] == unfold::EdgeConstraint::band && folds[side] != 0
+                             ? unfold::frozen_in_band
+                             : patch.frozen[side];
   }
   const std::vector<std::uint32_t> mirror =
       mirror_sides(model.surface, patch, unfold::mirror_images(model.surface, Weights()).edge);

@@ -14,7 +14,7 @@
 #include "base/id.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -97,8 +97,8 @@ struct Tab {
   std::vector<Vec2> polygon;
   /// Both ends of the cut that it is put through, in the plane of the target's piece.
   std::optional<std::array<Vec2, 2>> slit = {};
-  /// It grows from a foot, is folded inwards and lies on a face of another body (tabs_of_nets.hpp).
-  bool of_foot = false;
+  /// It grows from a base, is folded inwards and lies on a face of another body (tabs_of_nets.hpp).
+  bool of_base = false;
 };
 
 /// A piece that is equal on paper to the first of its kind, turned over where it is its mirror image.
@@ -121,9 +121,9 @@ struct Nets {
   IdVector<TabId, Tab> tabs;
   /// Kinds of pieces that there are several of (equal_pieces.hpp).
   std::vector<std::vector<EqualPiece>> equal;
-  /// Edges that were to be kept (EdgeWish::keep) and are cut: as folds they would close a loop, overlap or
-  /// fit no page.
-  std::size_t broken_wishes = 0;
+  /// Edges that were to be kept (EdgeConstraint::keep) and are cut: as folds they would close a loop, overlap
+  /// or fit no page.
+  std::size_t broken_constraints = 0;
   /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
   std::vector<std::string> notes;
 };
@@ -146,13 +146,13 @@ struct Nets {
   return area;
 }
 
-// How many wishes for edges didn't come true.
+// How many constraints for edges didn't come true.
 
-/// How many edges that were to be kept are cut in these nets: Nets::broken_wishes. O(n).
-[[nodiscard]] inline std::size_t count_broken(const EdgeWishes& wishes, const Nets& nets) {
+/// How many edges that were to be kept are cut in these nets: Nets::broken_constraints. O(n).
+[[nodiscard]] inline std::size_t count_broken(const EdgeConstraints& constraints, const Nets& nets) {
   std::size_t broken = 0;
-  for (const EdgeId e : ids<EdgeId>(wishes.size())) {
-    broken += wishes[e] == EdgeWish::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
+  for (const EdgeId e : ids<EdgeId>(constraints.size())) {
+    broken += constraints[e] == EdgeConstraint::keep && nets.use[e] == EdgeUse::cut ? 1U : 0U;
   }
   return broken;
 }

@@ -14,7 +14,7 @@
 #include "base/geometry.hpp"
 #include "base/id.hpp"
 #include "prepare/prepared/twin_bodies.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -181,8 +181,8 @@ struct TabOptions {
   double clearance_mm = 0.2;                   ///< distance kept from everything but the tab's own edge
   /// Must a tab lie inside the flat region that it is glued behind? Without that it may show beyond it.
   bool inside_target = true;
-  /// Do bodies that stand on others get tabs at their feet (tabs_of_nets.hpp)?
-  bool at_feet = true;
+  /// Do bodies that stand on others get tabs at their bases (tabs_of_nets.hpp)?
+  bool at_open_bases = true;
   /// May pieces be split until every edge that is wide enough has a usable tab (pieces/tab_split.hpp)?
   bool split_pieces = false;
 };
@@ -202,7 +202,7 @@ struct Options {
   /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.
-  EdgeWishes wishes;
+  EdgeConstraints constraints;
   /// Per face, or empty: what its author set it apart by, such as its object and its material. A fold where
   /// two of them meet costs something (Weights::borders), so nets rather end there.
   IdVector<FaceId, std::uint32_t> labels = {};

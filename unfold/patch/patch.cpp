@@ -13,8 +13,8 @@ std::uint32_t local_number(std::span<const FaceId> faces, FaceId f) {
   return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : nothing;
 }
 
-EdgeWish wish_at(std::span<const EdgeWish> wishes, EdgeId e) {
-  return wishes.empty() ? EdgeWish::none : wishes[e.value()];
+EdgeConstraint constraint_at(std::span<const EdgeConstraint> constraints, EdgeId e) {
+  return constraints.empty() ? EdgeConstraint::none : constraints[e.value()];
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Triangle flat_shape(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, std::span<const FaceId> faces,
-                 std::span<const EdgeWish> wishes, std::span<const std::uint32_t> labels) {
+                 std::span<const EdgeConstraint> constraints, std::span<const std::uint32_t> labels) {
   Patch patch;
   patch.face.assign(faces.begin(), faces.end());
   const std::size_t sides = 3 * faces.size();
@@ -71,18 +71,18 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
       if (!labels.empty() && t.valid()) {
         patch.labels_meet[side] = labels[patch.face[f].value()] != labels[mesh::face_of(t).value()] ? 1 : 0;
       }
-      const EdgeWish wish = wish_at(wishes, surface.edge(c));
+      const EdgeConstraint constraint = constraint_at(constraints, surface.edge(c));
       const std::uint32_t g =
-          t.valid() && wish != EdgeWish::cut ? local_number(faces, mesh::face_of(t)) : nothing;
+          t.valid() && constraint != EdgeConstraint::cut ? local_number(faces, mesh::face_of(t)) : nothing;
       if (g == nothing) {
         continue;
       }
       const std::uint32_t j = t.value() % 3;
       patch.twin[side] = 3 * g + j;
       const bool within = panels.panel[patch.face[f]] == panels.panel[patch.face[g]];
-      patch.frozen[side] = within || wish == EdgeWish::keep ? frozen_in_panel
-                           : wish == EdgeWish::band         ? frozen_in_band
-                                                            : 0;
+      patch.frozen[side] = within || constraint == EdgeConstraint::keep ? frozen_in_panel
+                           : constraint == EdgeConstraint::band         ? frozen_in_band
+                                                                        : 0;
       const Triangle& here = patch.shape[f];
       const Triangle& there = patch.shape[g];
       patch.across[side] = lay_across(here[k], here[(k + 1) % 3], there[j], there[(j + 1) % 3]);
@@ -108,7 +108,7 @@ double area_of(const Patch& patch) {
 }
 
 std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::span<const FaceId> faces,
-                                           std::span<const EdgeWish> wishes) {
+                                           std::span<const EdgeConstraint> constraints) {
   std::vector<std::vector<FaceId>> components;
   std::vector<std::uint8_t> seen(faces.size(), 0);
   std::vector<std::uint32_t> stack;
@@ -126,7 +126,7 @@ std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::sp
       for (unsigned k = 0; k < 3; ++k) {
         const CornerId c = mesh::corner(f, k);
         const FaceId g = surface.neighbor(c);
-        const bool cut = wish_at(wishes, surface.edge(c)) == EdgeWish::cut;
+        const bool cut = constraint_at(constraints, surface.edge(c)) == EdgeConstraint::cut;
         const std::uint32_t at = g.valid() && !cut ? local_number(faces, g) : nothing;
         if (at != nothing && seen[at] == 0) {
           seen[at] = 1;

@@ -17,7 +17,7 @@
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -153,17 +153,18 @@ struct Patch {
 }
 
 /// Makes a patch of these faces (ascending). Sides between faces of the set are twins, all others border; a
-/// side that is to be cut is border, too, and one that is to be kept is frozen. `wishes`: per edge, or empty;
-/// `labels`: per face of the surface (Options::labels), or empty. O(n log n).
+/// side that is to be cut is border, too, and one that is to be kept is frozen. `constraints`: per edge, or
+/// empty; `labels`: per face of the surface (Options::labels), or empty. O(n log n).
 [[nodiscard]] Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels,
-                               std::span<const FaceId> faces, std::span<const EdgeWish> wishes = {},
+                               std::span<const FaceId> faces,
+                               std::span<const EdgeConstraint> constraints = {},
                                std::span<const std::uint32_t> labels = {});
 
 /// The connected components (over twins) of a set of faces of the surface, each ascending, in the order of
 /// their first faces; edges that are to be cut don't connect. O(n log n).
 [[nodiscard]] std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface,
                                                          std::span<const FaceId> faces,
-                                                         std::span<const EdgeWish> wishes = {});
+                                                         std::span<const EdgeConstraint> constraints = {});
 
 /// 1 where the faces on both sides of a side count as one flat region, otherwise 0.
 [[nodiscard]] inline std::size_t within_panel(const Patch& patch, std::uint32_t side) {

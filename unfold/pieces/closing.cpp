@@ -57,11 +57,11 @@ bool last_cut_at(const mesh::Surface& surface, const Nets& nets, VertexId v, Edg
 
 }  // namespace
 
-void close_flat_cuts(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
-                     Nets& nets) {
+void close_flat_cuts(const mesh::Surface& surface, const prepare::Panels& panels,
+                     const EdgeConstraints& constraints, Nets& nets) {
   std::vector<EdgeId> candidates;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const bool asked_for = !wishes.empty() && wishes[e] == EdgeWish::cut;
+    const bool asked_for = !constraints.empty() && constraints[e] == EdgeConstraint::cut;
     if (nets.use[e] == EdgeUse::cut && !asked_for && within_one_piece(surface, nets, e) &&
         copies_coincide(surface, nets, e)) {
       candidates.push_back(e);

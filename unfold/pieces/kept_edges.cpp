@@ -18,22 +18,22 @@ namespace {
 
 class Keeper {
  public:
-  Keeper(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
+  Keeper(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeConstraints& constraints,
          const Room& room, double tolerance, const Context& context)
       : surface_(surface),
         panels_(panels),
-        asked_(wishes),
+        asked_(constraints),
         room_{room.sheet, room.strip, 0},
         tolerance_(tolerance),
         context_(context) {
-    result_.wishes = wishes;
+    result_.constraints = constraints;
     for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
       const auto [c, d] = surface.sides(e);
       if (!d.valid() || panel(c) == panel(d)) {
-        result_.wishes[e] = EdgeWish::none;
-      } else if (wishes[e] == EdgeWish::keep || wishes[e] == EdgeWish::band) {
+        result_.constraints[e] = EdgeConstraint::none;
+      } else if (constraints[e] == EdgeConstraint::keep || constraints[e] == EdgeConstraint::band) {
         wanted_.push_back(e);
-        result_.wishes[e] = EdgeWish::none;
+        result_.constraints[e] = EdgeConstraint::none;
       }
     }
     std::stable_sort(wanted_.begin(), wanted_.end(),
@@ -89,12 +89,12 @@ class Keeper {
 
   void grant(const std::vector<EdgeId>& edges) {
     for (const EdgeId e : edges) {
-      result_.wishes[e] = asked_[e];
+      result_.constraints[e] = asked_[e];
     }
   }
   void refuse(const std::vector<EdgeId>& edges) {
     for (const EdgeId e : edges) {
-      result_.wishes[e] = EdgeWish::none;
+      result_.constraints[e] = EdgeConstraint::none;
     }
   }
 
@@ -113,9 +113,9 @@ class Keeper {
       std::vector<FaceId> both;
       std::merge(faces[a].begin(), faces[a].end(), faces[b].begin(), faces[b].end(),
                  std::back_inserter(both));
-      result_.wishes[e] = asked_[e];
+      result_.constraints[e] = asked_[e];
       if (!lies_well(both)) {
-        result_.wishes[e] = EdgeWish::none;
+        result_.constraints[e] = EdgeConstraint::none;
         continue;
       }
       sets.join(a, b);
@@ -126,14 +126,14 @@ class Keeper {
   /// Whether what frozen sides hold together is one net without overlap that fits the room.
   [[nodiscard]] bool lies_well(const std::vector<FaceId>& faces) const {
     constexpr std::size_t several = 2;  // the strip for tabs is kept free
-    return lies_as_one(make_patch(surface_, panels_, faces, result_.wishes.items()), several, room_,
+    return lies_as_one(make_patch(surface_, panels_, faces, result_.constraints.items()), several, room_,
                        tolerance_);
   }
 
   [[nodiscard]] prepare::Panels groups() const {
     DisjointSets sets(panels_.count());
     for (const EdgeId e : wanted_) {
-      if (result_.wishes[e] != EdgeWish::none) {
+      if (result_.constraints[e] != EdgeConstraint::none) {
         sets.join(panel(surface_.sides(e)[0]), panel(surface_.sides(e)[1]));
       }
     }
@@ -153,7 +153,7 @@ class Keeper {
 
   const mesh::Surface& surface_;
   const prepare::Panels& panels_;
-  const EdgeWishes& asked_;
+  const EdgeConstraints& asked_;
   const Room room_;
   const double tolerance_;
   const Context& context_;
@@ -163,9 +163,10 @@ class Keeper {
 
 }  // namespace
 
-KeptEdges settle_wishes(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeWishes& wishes,
-                        const Room& room, double tolerance, const Context& context) {
-  return Keeper(surface, panels, wishes, room, tolerance, context).run();
+KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels& panels,
+                             const EdgeConstraints& constraints, const Room& room, double tolerance,
+                             const Context& context) {
+  return Keeper(surface, panels, constraints, room, tolerance, context).run();
 }
 
 namespace {
@@ -232,20 +233,20 @@ class Seams {
 
 }  // namespace
 
-EdgeWishes with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
-                           std::span<const std::uint32_t> labels, const EdgeWishes& wishes,
-                           const Weights& weights) {
+EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                                std::span<const std::uint32_t> labels, const EdgeConstraints& constraints,
+                                const Weights& weights) {
   if (weights.bands <= 0.0) {
-    return wishes;
+    return constraints;
   }
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
-  const Patch patch = make_patch(surface, panels, faces, wishes.items(), labels);
+  const Patch patch = make_patch(surface, panels, faces, constraints.items(), labels);
   const Bands bands = find_bands(patch);
   if (bands.empty()) {
-    return wishes;
+    return constraints;
   }
   // The edges of a rung lie between the same two flat regions.
   const auto beside = [&](EdgeId e) -> std::pair<PanelId, PanelId> {
@@ -256,22 +257,23 @@ EdgeWishes with_bands_kept(const mesh::Surface& surface, const prepare::Panels& 
   };
   const MirrorImages images = mirror_images(surface, weights);
   Seams seams(surface, images);
-  EdgeWishes result = wishes.empty() ? EdgeWishes(surface.edge_count(), EdgeWish::none) : wishes;
+  EdgeConstraints result =
+      constraints.empty() ? EdgeConstraints(surface.edge_count(), EdgeConstraint::none) : constraints;
   const std::vector<std::vector<EdgeId>> edges = edges_of(surface, patch, bands);
   for (std::size_t band = 0; band < edges.size(); ++band) {
     if (edges[band].empty() ||
         weights.bands * bands.mean_rung_mm[band] < least_rung_to_rim * bands.mean_rim_mm[band] ||
         std::any_of(edges[band].begin(), edges[band].end(),
-                    [&](EdgeId e) { return result[e] != EdgeWish::none; })) {
+                    [&](EdgeId e) { return result[e] != EdgeConstraint::none; })) {
       continue;
     }
     for (const EdgeId e : edges[band]) {
-      result[e] = EdgeWish::band;
+      result[e] = EdgeConstraint::band;
     }
     if (bands.closed[band] != 0) {
       const std::pair<PanelId, PanelId> seam = beside(seams.of(edges[band]));
       for (const EdgeId e : edges[band]) {
-        result[e] = beside(e) == seam ? EdgeWish::none : EdgeWish::band;
+        result[e] = beside(e) == seam ? EdgeConstraint::none : EdgeConstraint::band;
       }
     }
   }

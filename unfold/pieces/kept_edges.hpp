@@ -9,34 +9,34 @@
 #include "base/context.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
 struct KeptEdges {
-  EdgeWishes wishes;       ///< without what couldn't be kept
-  prepare::Panels groups;  ///< panels that kept edges hold together, as one each
+  EdgeConstraints constraints;  ///< without what couldn't be kept
+  prepare::Panels groups;       ///< panels that kept edges hold together, as one each
 };
 
 /// Panels that kept edges hold together must lie flat without overlap and fit the room. All edges between
-/// them are tried at once, then, where that fails, one after the other, long ones first. Wishes inside panels
-/// and at borders are dropped.
-[[nodiscard]] KeptEdges settle_wishes(const mesh::Surface& surface, const prepare::Panels& panels,
-                                      const EdgeWishes& wishes, const Room& room, double tolerance,
-                                      const Context& context);
+/// them are tried at once, then, where that fails, one after the other, long ones first. Constraints inside
+/// panels and at borders are dropped.
+[[nodiscard]] KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels& panels,
+                                           const EdgeConstraints& constraints, const Room& room,
+                                           double tolerance, const Context& context);
 
 // Walls that go round stay strips.
 
-/// What is wished for, and EdgeWish::band for the rungs of each band of the surface (energy/bands.hpp) that
-/// is wide: by Weights::bands at least 1.1 times as wide as its regions are long on average. A narrower one
-/// may as well hang on a disk in single flaps. Of a band that goes all the way round one rung stays free,
+/// What is requested, and EdgeConstraint::band for the rungs of each band of the surface (energy/bands.hpp)
+/// that is wide: by Weights::bands at least 1.1 times as wide as its regions are long on average. A narrower
+/// one may as well hang on a disk in single flaps. Of a band that goes all the way round one rung stays free,
 /// its seam: as near to the mirror plane as any lies, mirrored where bands are mirrored. Bands with a rung
-/// that somebody has a wish for, or where labels (per face, or empty) meet, are left as they are. Nothing
+/// that has a constraint, or where labels (per face, or empty) meet, are left as they are. Nothing
 /// is added where Weights::bands is 0. O(n log n).
-[[nodiscard]] EdgeWishes with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
-                                         std::span<const std::uint32_t> labels, const EdgeWishes& wishes,
-                                         const Weights& weights);
+[[nodiscard]] EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
+                                              std::span<const std::uint32_t> labels,
+                                              const EdgeConstraints& constraints, const Weights& weights);
 
 }  // namespace ridgecraft::unfold

@@ -20,7 +20,7 @@
 
 namespace ridgecraft::unfold {
 
-/// The nets of a forest with all their tabs, as they will be returned. Asked from several threads.
+/// The nets of a forest with all their tabs, as they will be returned. Called from several threads.
 using NetsOf = std::function<Nets(const Folds&)>;
 
 struct TabSplit {

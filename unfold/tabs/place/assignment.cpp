@@ -84,8 +84,12 @@ Neighbors find_neighbors(const std::vector<TabSite>& sites, Plane&& plane, Place
 class Assignment {
  public:
   Assignment(const std::vector<TabSite>& sites, const std::vector<std::uint8_t>& preferred,
-             const TabOptions& options, std::span<const TabWish> wishes)
-      : sites_(sites), preferred_(preferred), options_(options), wishes_(wishes), chosen_(sites.size() / 2) {
+             const TabOptions& options, std::span<const TabRequest> requests)
+      : sites_(sites),
+        preferred_(preferred),
+        options_(options),
+        requests_(requests),
+        chosen_(sites.size() / 2) {
     for (std::uint32_t s = 0; s < sites.size(); ++s) {
       const TabSite& site = sites[s];
       const TabOptions& own = options_of(s);
@@ -153,21 +157,21 @@ class Assignment {
   }
 
   [[nodiscard]] const TabOptions& options_of(std::uint32_t site) const {
-    return wishes_.empty() ? options_ : wishes_[site / 2].options;
+    return requests_.empty() ? options_ : requests_[site / 2].options;
   }
   /// Whether a tab may grow there at all.
   [[nodiscard]] bool allowed(std::uint32_t site) const {
-    if (wishes_.empty()) {
+    if (requests_.empty()) {
       return true;
     }
-    const TabWish& wish = wishes_[site / 2];
-    return wish.wanted && !(wish.no_other_side && wish.side && *wish.side != site % 2);
+    const TabRequest& request = requests_[site / 2];
+    return request.wanted && !(request.no_other_side && request.side && *request.side != site % 2);
   }
 
   /// Cost of using the site instead of the preferred one.
   [[nodiscard]] double side_cost(std::uint32_t site) const {
-    if (!wishes_.empty() && wishes_[site / 2].side) {
-      return *wishes_[site / 2].side == site % 2 ? 0.0 : side_not_asked;
+    if (!requests_.empty() && requests_[site / 2].side) {
+      return *requests_[site / 2].side == site % 2 ? 0.0 : side_not_asked;
     }
     return preferred_[site / 2] == site % 2 ? 0.0 : tab_costs.other_side;
   }
@@ -357,7 +361,7 @@ class Assignment {
   const std::vector<TabSite>& sites_;
   const std::vector<std::uint8_t>& preferred_;
   const TabOptions& options_;
-  std::span<const TabWish> wishes_;            // of each join, or none
+  std::span<const TabRequest> requests_;       // of each join, or none
   std::vector<ConvexShape> widest_;            // of each site: no tab leaves it
   std::vector<ConvexShape> largest_;           // of each site, among faces and inside its target
   std::vector<std::vector<TabShape>> shapes_;  // of each site, best first
@@ -396,8 +400,8 @@ Obstacle tab_as_obstacle(const TabSite& here, const TabSite& other, const Convex
 std::vector<std::optional<ChosenTab>> assign_tabs(const std::vector<TabSite>& sites,
                                                   const std::vector<std::uint8_t>& preferred,
                                                   const TabOptions& options, const Context& context,
-                                                  std::span<const TabWish> wishes) {
-  return Assignment(sites, preferred, options, wishes).solve(context);
+                                                  std::span<const TabRequest> requests) {
+  return Assignment(sites, preferred, options, requests).solve(context);
 }
 
 }  // namespace ridgecraft::unfold

@@ -9,7 +9,7 @@
 
 #include "base/context.hpp"
 #include "unfold/tabs/place/sites.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -30,13 +30,13 @@ struct ChosenTab {
 
 /// Chooses a tab for as many joins as it can, then the cheapest ones (TabCosts). `preferred[j]` is 0 or 1:
 /// the side of join j that should give the tab. Joins are treated from the most constrained to the least; one
-/// that finds no place may push one other tab to another place. `wishes`, one for each join or none at all,
+/// that finds no place may push one other tab to another place. `requests`, one for each join or none at all,
 /// count more than what is preferred and `options`. Deterministic; O(n log n) for nets whose tabs
 /// have few neighbours.
 [[nodiscard]] std::vector<std::optional<ChosenTab>> assign_tabs(const std::vector<TabSite>& sites,
                                                                 const std::vector<std::uint8_t>& preferred,
                                                                 const TabOptions& options,
                                                                 const Context& context,
-                                                                std::span<const TabWish> wishes = {});
+                                                                std::span<const TabRequest> requests = {});
 
 }  // namespace ridgecraft::unfold

@@ -301,7 +301,7 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets) {
 
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                        const Sheet& sheet, Nets& nets, const Context& context,
-                       std::span<const TabWish> wishes) {
+                       std::span<const TabRequest> requests) {
   const TabsOfPiece tabs = tabs_of_pieces(nets);
   const auto fits = [&](PieceId p) { return fits_with(nets, p, tabs[p], sheet); };
   const auto pieces = ids<PieceId>(nets.pieces.size());
@@ -319,7 +319,7 @@ void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& pane
   for (int round = 0;
        round < most_rounds && !context.out_of_grace() && add_rooms(sheet, options, sites, nets, rooms);
        ++round) {
-    place_tabs(surface, panels, options, nets, context, rooms, wishes);
+    place_tabs(surface, panels, options, nets, context, rooms, requests);
   }
   for (const JoinId j : had) {
     if (!nets.joins[j].tab.valid()) {

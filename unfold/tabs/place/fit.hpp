@@ -14,7 +14,7 @@
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/tabs/place/sites.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -37,7 +37,7 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets);
 /// fit. Throws Error(interrupted).
 void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                        const Sheet& sheet, Nets& nets, const Context& context,
-                       std::span<const TabWish> wishes = {});
+                       std::span<const TabRequest> requests = {});
 
 // Tabs that come after those of the joins, and keep clear of all that stand already.
 

@@ -196,11 +196,11 @@ ConvexShape turned_over(const ConvexShape& shape, double length) {
 class MoreTabs {
  public:
   MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-           std::span<const TabWish> wishes, Nets& nets, const Context& context)
-      : surface_(surface), nets_(nets), options_(options), wishes_(wishes), standing_(nets, options) {
+           std::span<const TabRequest> requests, Nets& nets, const Context& context)
+      : surface_(surface), nets_(nets), options_(options), requests_(requests), standing_(nets, options) {
     // What is glued to another tab may be larger than the face behind it.
     options_.inside_target = false;
-    sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, wishes), context);
+    sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, requests), context);
     for (const Tab& tab : nets.tabs) {
       const std::size_t even = std::size_t{2} * tab.join.value();
       const TabSite& site = sites_[tab.side == sites_[even].side ? even : even + 1];
@@ -211,7 +211,7 @@ class MoreTabs {
   void add_seconds() {
     for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
       const Join& join = nets_.joins[j];
-      if (!wishes_[j.value()].second || !join.tab.valid() || nets_.tabs[join.tab].slit) {
+      if (!requests_[j.value()].second || !join.tab.valid() || nets_.tabs[join.tab].slit) {
         continue;
       }
       const std::size_t even = std::size_t{2} * j.value();
@@ -221,20 +221,20 @@ class MoreTabs {
       const ConvexShape shape = own.own.in(ConvexShape(std::span<const Vec2>(nets_.tabs[join.tab].polygon)));
       Tab tab;
       tab.join = j;
-      standing_.place(other, turned_over(shape, other.length), wishes_[j.value()].options, tab);
+      standing_.place(other, turned_over(shape, other.length), requests_[j.value()].options, tab);
     }
   }
 
   void add_borders(const TabChoice& choice, const Context& context) {
     const TabOptions highest = with_greatest_height(options_, choice);
-    std::set<CornerId> feet;  // get tabs of their own
-    if (options_.at_feet) {
-      for (const FootSide& foot : find_feet(surface_, context)) {
-        feet.insert(foot.side);
+    std::set<CornerId> bases;  // get tabs of their own
+    if (options_.at_open_bases) {
+      for (const BaseSide& base : find_open_bases(surface_, context)) {
+        bases.insert(base.side);
       }
     }
     for (const TabSite& site : find_border_sites(surface_, nets_, highest, context)) {
-      if (feet.contains(site.side)) {
+      if (bases.contains(site.side)) {
         continue;
       }
       const TabOptions own = options_for(options_, choice, surface_.length(surface_.edge(site.side)));
@@ -248,7 +248,7 @@ class MoreTabs {
   const mesh::Surface& surface_;
   Nets& nets_;
   TabOptions options_;
-  std::span<const TabWish> wishes_;  // of each join
+  std::span<const TabRequest> requests_;  // of each join
   std::vector<TabSite> sites_;
   StandingTabs standing_;
 };
@@ -256,13 +256,13 @@ class MoreTabs {
 }  // namespace
 
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
+                   std::span<const TabRequest> requests, const TabChoice& choice, Nets& nets,
                    const Context& context) {
-  if (!choice.borders && std::ranges::none_of(wishes, &TabWish::second)) {
+  if (!choice.borders && std::ranges::none_of(requests, &TabRequest::second)) {
     return;
   }
   const std::size_t first = nets.tabs.size();
-  MoreTabs more(surface, panels, options.tabs, wishes, nets, context);
+  MoreTabs more(surface, panels, options.tabs, requests, nets, context);
   more.add_seconds();
   if (choice.borders) {
     more.add_borders(choice, context);

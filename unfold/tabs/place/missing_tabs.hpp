@@ -12,7 +12,7 @@
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -58,12 +58,12 @@ class TabGaps {
 // Tabs beyond the one that each join has (is_additional): on its other side, and at edges that are glued to
 // nothing.
 
-/// Gives joins whose wish asks for it a second tab, the mirror image of the first one or what room leaves of
-/// it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
+/// Gives joins whose request asks for it a second tab, the mirror image of the first one or what room leaves
+/// of it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
 /// join. They come after all others, keep clear of them, and are left out on pieces that don't fit the sheet
 /// with them. O(n log n) for pieces of bounded size. Throws Error(interrupted).
 void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabWish> wishes, const TabChoice& choice, Nets& nets,
+                   std::span<const TabRequest> requests, const TabChoice& choice, Nets& nets,
                    const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -115,7 +115,7 @@ bool both_too_narrow(const TabSite& a, const TabSite& b, const TabOptions& optio
 
 void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                 Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms,
-                std::span<const TabWish> wishes) {
+                std::span<const TabRequest> requests) {
   nets.tabs = {};
   for (Join& join : nets.joins) {
     join.tab = TabId();
@@ -129,7 +129,7 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
     give_up(nets);
     return;
   }
-  const TabOptions highest = with_greatest_height(options, wishes);
+  const TabOptions highest = with_greatest_height(options, requests);
   std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, highest, context);
   if (context.out_of_grace()) {
     give_up(nets);
@@ -140,14 +140,14 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
       add_walls(*rooms[site.piece.value()], highest, site);
     }
   }
-  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, wishes);
+  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, requests);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
     const bool time_up = context.out_of_grace();
     join.too_narrow = !(tab && tab->shape.usable) && !time_up &&
                       both_too_narrow(sites[2 * j.value()], sites[2 * j.value() + 1], options);
-    if (!tab && !wishes.empty() && !wishes[j.value()].wanted) {
+    if (!tab && !requests.empty() && !requests[j.value()].wanted) {
       continue;  // NoTab::not_wanted
     }
     if (!tab) {

@@ -10,7 +10,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -26,13 +26,13 @@ struct TabRoom {
 /// glued behind. It grows from the side with the smaller flat region, unless only the other one has room. In
 /// this order a tab is made lower, steeper, trimmed, moved to the other side, put on a part of the edge, made
 /// smaller than useful, left out. Deterministic, independent of how a piece lies in its plane up to rounding;
-/// about O(n log n). `rooms`, by piece, keeps tabs off the rest of its plane; `wishes`, by join or none at
+/// about O(n log n). `rooms`, by piece, keeps tabs off the rest of its plane; `requests`, by join or none at
 /// all, ask for sides, heights and angles of their own. When the context's deadline and grace have passed,
 /// joins keep what they have by then: their first choice, or nothing (NoTab::time_up). Throws
 /// Error(interrupted).
 void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
                 Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms = {},
-                std::span<const TabWish> wishes = {});
+                std::span<const TabRequest> requests = {});
 
 /// Is a tab at least usable_height_mm (shapes.hpp) high along at least half of its edge, or put into a slit?
 /// O(1).

@@ -69,21 +69,21 @@ bool enough_paper_behind(const mesh::Surface& surface, const Nets& nets, CornerI
 
 namespace {
 
-/// A foot and what it stands on are parallel up to this (cosine of 3 degrees).
+/// A base and what it stands on are parallel up to this (cosine of 3 degrees).
 constexpr double parallel_cosine = 0.9986;
 
-/// Nobody glues a foot with more tabs.
+/// Nobody glues a base with more tabs.
 constexpr std::size_t most_sides = 1000;
 
-class Feet {
+class Bases {
  public:
-  explicit Feet(const mesh::Surface& surface)
+  explicit Bases(const mesh::Surface& surface)
       : surface_(surface),
         tree_(
             surface.face_count(), [&](std::uint32_t f) { return surface.bounds(FaceId(f)); },
             [&](std::uint32_t f) { return centre(surface.bounds(FaceId(f))); }) {}
 
-  void add_sides_of(const mesh::Opening& opening, std::vector<FootSide>& sides) const {
+  void add_sides_of(const mesh::Opening& opening, std::vector<BaseSide>& sides) const {
     const std::size_t count = opening.sides.size();
     if (count > most_sides) {
       return;
@@ -98,13 +98,13 @@ class Feet {
       }
       const Vec3 along = normalized(end - start);
       const Vec3 inward = cross(opening.normal, along);
-      FootSide foot{side, {}};
+      BaseSide base{side, {}};
       for (std::size_t k = 0; k < count; ++k) {
         // The other way round than the faces beside it run.
         const Vec3 q = at(mesh::next(opening.sides[(i + count - k) % count])) - start;
-        foot.opening.push_back({dot(q, along), dot(q, inward)});
+        base.opening.push_back({dot(q, along), dot(q, inward)});
       }
-      sides.push_back(std::move(foot));
+      sides.push_back(std::move(base));
     }
   }
 
@@ -135,8 +135,8 @@ class Feet {
 
 }  // namespace
 
-std::vector<FootSide> find_feet(const mesh::Surface& surface, const Context& context) {
-  std::vector<FootSide> sides;
+std::vector<BaseSide> find_open_bases(const mesh::Surface& surface, const Context& context) {
+  std::vector<BaseSide> sides;
   if (surface.component_count() < 2) {
     return sides;
   }
@@ -144,10 +144,10 @@ std::vector<FootSide> find_feet(const mesh::Surface& surface, const Context& con
   if (openings.empty()) {
     return sides;
   }
-  const Feet feet(surface);
+  const Bases bases(surface);
   for (const mesh::Opening& opening : openings) {
     context.check();
-    feet.add_sides_of(opening, sides);
+    bases.add_sides_of(opening, sides);
   }
   return sides;
 }
@@ -223,11 +223,11 @@ class SiteFinder {
   }
 
   /// Of one that stands on another body.
-  [[nodiscard]] TabSite find_foot(const FootSide& foot) const {
-    TabSite site = find_border(foot.side);
+  [[nodiscard]] TabSite find_base(const BaseSide& base) const {
+    TabSite site = find_border(base.side);
     const ConvexShape widest = widest_tab(site.length, options_);
-    for (std::size_t k = 1; k < foot.opening.size() && !widest.empty(); ++k) {
-      const ConvexShape edge{foot.opening[k], foot.opening[(k + 1) % foot.opening.size()]};
+    for (std::size_t k = 1; k < base.opening.size() && !widest.empty(); ++k) {
+      const ConvexShape edge{base.opening[k], base.opening[(k + 1) % base.opening.size()]};
       if (meet(edge.box(), widest.box()) && !apart(widest, edge, -just_touching_mm)) {
         site.obstacles.push_back({edge, Obstacle::Kind::target_edge});
       }
@@ -450,14 +450,14 @@ std::vector<TabSite> bare_sites(const mesh::Surface& surface, const Nets& nets,
   return sites;
 }
 
-std::vector<TabSite> find_foot_sites(const mesh::Surface& surface, const Nets& nets,
-                                     const std::vector<FootSide>& feet, const TabOptions& options,
+std::vector<TabSite> find_base_sites(const mesh::Surface& surface, const Nets& nets,
+                                     const std::vector<BaseSide>& bases, const TabOptions& options,
                                      const Context& context) {
   const SiteFinder finder(surface, {}, nets, options);
   std::vector<TabSite> sites;
-  for (const FootSide& foot : feet) {
+  for (const BaseSide& base : bases) {
     context.check();
-    sites.push_back(finder.find_foot(foot));
+    sites.push_back(finder.find_base(base));
   }
   return sites;
 }

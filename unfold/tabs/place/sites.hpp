@@ -25,8 +25,8 @@ inline constexpr double least_paper_mm = 2.0;
 
 // Where bodies stand on others: flat openings that lie on another body's face.
 
-/// A side of a foot: a border edge that lies on a face of another component.
-struct FootSide {
+/// A side of a base: a border edge that lies on a face of another component.
+struct BaseSide {
   CornerId side;
   /// The whole opening, laid flat over the edge in the frame of tab shapes: where a tab lies when it is
   /// folded inwards. The edge is its first side.
@@ -37,7 +37,7 @@ struct FootSide {
 /// mesh::touching_mm; of their sides those whose middle does, and whose face rises from there by 30 degrees:
 /// a sheet that lies on a face has none. Openings of more than 1000 sides have none either. O(n log n), and
 /// the square of an opening's sides. Throws Error(interrupted).
-[[nodiscard]] std::vector<FootSide> find_feet(const mesh::Surface& surface, const Context& context);
+[[nodiscard]] std::vector<BaseSide> find_open_bases(const mesh::Surface& surface, const Context& context);
 
 // The two sides of every join as places for a tab: where they lie, what stands around them, what they are
 // glued behind.
@@ -113,9 +113,9 @@ struct FlatRegions {
 [[nodiscard]] std::vector<TabSite> bare_sites(const mesh::Surface& surface, const Nets& nets,
                                               const std::vector<CornerId>& sides);
 
-/// Sides of feet as places for tabs that lie within the feet's openings, in their order. O(n log n).
-[[nodiscard]] std::vector<TabSite> find_foot_sites(const mesh::Surface& surface, const Nets& nets,
-                                                   const std::vector<FootSide>& feet,
+/// Sides of bases as places for tabs that lie within the bases's openings, in their order. O(n log n).
+[[nodiscard]] std::vector<TabSite> find_base_sites(const mesh::Surface& surface, const Nets& nets,
+                                                   const std::vector<BaseSide>& bases,
                                                    const TabOptions& options, const Context& context);
 
 }  // namespace ridgecraft::unfold

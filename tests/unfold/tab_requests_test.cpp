@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tabs by choice: on which side of a cut, how high, second ones and such at borders.
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 #include <algorithm>
 #include <array>
@@ -91,7 +91,7 @@ std::size_t count_tabs(const Nets& nets) {
 
 }  // namespace
 
-TEST_CASE("without a choice tabs are as they were", "[tab_wishes]") {
+TEST_CASE("without a choice tabs are as they were", "[tab_requests]") {
   const Sample sample = box();
   const Nets plain = chosen(sample, {});
   CHECK(count_tabs(plain) > plain.joins.size() / 3);
@@ -100,7 +100,7 @@ TEST_CASE("without a choice tabs are as they were", "[tab_wishes]") {
   }
 }
 
-TEST_CASE("heights follow the length of the edge", "[tab_wishes]") {
+TEST_CASE("heights follow the length of the edge", "[tab_requests]") {
   const Sample sample = box();
   TabChoice choice;
   choice.heights_mm = {{0.0, 3.0}, {14.0, 4.0}};
@@ -115,7 +115,7 @@ TEST_CASE("heights follow the length of the edge", "[tab_wishes]") {
   CHECK(full > nets.tabs.size() / 2);
 }
 
-TEST_CASE("what is asked of an edge by its number is done", "[tab_wishes]") {
+TEST_CASE("what is asked of an edge by its number is done", "[tab_requests]") {
   const Sample sample = box();
   const Nets plain = chosen(sample, {});
   const auto with_tab = std::find_if(plain.joins.begin(), plain.joins.end(),
@@ -141,7 +141,7 @@ TEST_CASE("what is asked of an edge by its number is done", "[tab_wishes]") {
   CHECK_THROWS_AS(chosen(sample, with_edge(asked)), Error);
 }
 
-TEST_CASE("of what is asked of an edge several times the last counts alone", "[tab_wishes]") {
+TEST_CASE("of what is asked of an edge several times the last counts alone", "[tab_requests]") {
   const Sample sample = box();
   const Nets plain = chosen(sample, {});
   unfold::EdgeTab first;
@@ -155,13 +155,13 @@ TEST_CASE("of what is asked of an edge several times the last counts alone", "[t
   last.angle = 1.0;
   TabChoice choice;
   choice.edges = {first, last};
-  const std::vector<unfold::TabWish> wishes = unfold::tab_wishes(sample.surface, plain, {}, choice);
-  CHECK_FALSE(wishes[0].second);
-  CHECK(wishes[0].options.height_mm == 5.0);
-  CHECK(wishes[0].options.angle == 1.0);
+  const std::vector<unfold::TabRequest> requests = unfold::tab_requests(sample.surface, plain, {}, choice);
+  CHECK_FALSE(requests[0].second);
+  CHECK(requests[0].options.height_mm == 5.0);
+  CHECK(requests[0].options.angle == 1.0);
 }
 
-TEST_CASE("what is asked of an edge is kept where pieces are equal", "[tab_wishes]") {
+TEST_CASE("what is asked of an edge is kept where pieces are equal", "[tab_requests]") {
   // Six squares: their tabs are made alike where nobody asks for another.
   Sample sample{test::scaled(test::cube(), 40.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
@@ -187,7 +187,7 @@ TEST_CASE("what is asked of an edge is kept where pieces are equal", "[tab_wishe
   }
 }
 
-TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wishes]") {
+TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_requests]") {
   const Sample sample = box();
   const Nets nets = chosen(sample, with_sides(TabSides::both));
   std::size_t seconds = 0;
@@ -214,7 +214,7 @@ TEST_CASE("second tabs stand on the other side, clear of all others", "[tab_wish
   }
 }
 
-TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_wishes]") {
+TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_requests]") {
   // A U with arms of 9 mm and 4.5 mm between them: within its front there is no room for a high tab.
   std::vector<std::array<int, 3>> cubes;
   for (int x = 0; x < 5; ++x) {
@@ -249,7 +249,7 @@ TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_wishe
   CHECK(high > 0);
 }
 
-TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_wishes]") {
+TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_requests]") {
   Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
   sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 1));
@@ -263,7 +263,7 @@ TEST_CASE("tabs at borders follow the length of the edge, too", "[tab_wishes]") 
   CHECK(full >= 6);
 }
 
-TEST_CASE("borders get tabs where they are wanted", "[tab_wishes]") {
+TEST_CASE("borders get tabs where they are wanted", "[tab_requests]") {
   Sample sample{test::scaled(test::revolve({{1.0, 0.0}, {1.0, 1.0}}, 6), 30.0), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
   sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 1));
@@ -277,7 +277,7 @@ TEST_CASE("borders get tabs where they are wanted", "[tab_wishes]") {
   CHECK(at_borders >= 6);
 }
 
-TEST_CASE("along a seam tabs keep to a side, or alternate", "[tab_wishes]") {
+TEST_CASE("along a seam tabs keep to a side, or alternate", "[tab_requests]") {
   Sample sample = box();
   std::vector<EdgeId> middle;  // between the two cubes
   for (const EdgeId edge : ids<EdgeId>(sample.surface.edge_count())) {

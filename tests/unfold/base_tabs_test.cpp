@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tabs by which bodies are glued onto others: folded inwards, they stay within the foot.
+// Tabs by which bodies are glued onto others: folded inwards, they stay within the base.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,14 +27,14 @@ namespace {
 /// An L whose lower arm is 4 mm wide, counterclockwise.
 const std::vector<Vec2> l_foot{{0, 0}, {40, 0}, {40, 4}, {20, 4}, {20, 30}, {0, 30}};
 
-/// A sheet of 80 x 80 mm, and over it, `gap` mm higher, walls of 25 mm over the foot with a roof; no bottom.
-mesh::Surface standing(const std::vector<Vec2>& foot, double gap) {
+/// A sheet of 80 x 80 mm, and over it, `gap` mm higher, walls of 25 mm over the base with a roof; no bottom.
+mesh::Surface standing(const std::vector<Vec2>& base, double gap) {
   std::vector<Vec3> points{{-20, -20, 0}, {60, -20, 0}, {60, 60, 0}, {-20, 60, 0}};
   std::vector<std::array<VertexId, 3>> faces{{VertexId(0), VertexId(1), VertexId(2)},
                                              {VertexId(0), VertexId(2), VertexId(3)}};
-  const auto count = static_cast<std::uint32_t>(foot.size());
+  const auto count = static_cast<std::uint32_t>(base.size());
   for (const double z : {gap, gap + 25.0}) {
-    for (const Vec2 p : foot) {
+    for (const Vec2 p : base) {
       points.push_back({p.x, p.y, z});
     }
   }
@@ -74,7 +74,7 @@ Sample laid_out(const mesh::Surface& surface) {
   return sample;
 }
 
-/// Corners of a tab that is folded inwards, where the foot is.
+/// Corners of a tab that is folded inwards, where the base is.
 std::vector<Vec2> folded_inwards(const Sample& sample, const Tab& tab) {
   const mesh::Surface& surface = sample.surface;
   const Vec3 start = upright(surface.point(surface.vertex(mesh::next(tab.side))));
@@ -88,7 +88,7 @@ std::vector<Vec2> folded_inwards(const Sample& sample, const Tab& tab) {
   for (const Vec2 p : tab.polygon) {
     const double x = dot(p - from, along);
     const double y = dot(p - from, perpendicular(along));
-    // Walls run counterclockwise round the foot, so backwards along a side its inside is on the right.
+    // Walls run counterclockwise round the base, so backwards along a side its inside is on the right.
     corners.push_back(Vec2{start.x, start.y} + x * ground - y * perpendicular(ground));
   }
   return corners;
@@ -114,16 +114,16 @@ bool is_within(const std::vector<Vec2>& polygon, Vec2 p) {
 
 }  // namespace
 
-TEST_CASE("a body that stands on another gets tabs within its foot", "[foot_tabs]") {
+TEST_CASE("a body that stands on another gets tabs within its base", "[base_tabs]") {
   const Sample sample = laid_out(standing(l_foot, 0.0));
-  CHECK(unfold::find_feet(sample.surface, {}).size() == 6);
-  std::size_t feet = 0;
+  CHECK(unfold::find_open_bases(sample.surface, {}).size() == 6);
+  std::size_t bases = 0;
   for (const TabId t : ids<TabId>(sample.nets.tabs.size())) {
     const Tab& tab = sample.nets.tabs[t];
-    if (!tab.of_foot) {
+    if (!tab.of_base) {
       continue;
     }
-    ++feet;
+    ++bases;
     CHECK(unfold::is_additional(sample.nets, t));
     CHECK(sample.nets.use[sample.surface.edge(tab.side)] == unfold::EdgeUse::border);
     const std::vector<Vec2> ground = folded_inwards(sample, tab);
@@ -147,20 +147,20 @@ TEST_CASE("a body that stands on another gets tabs within its foot", "[foot_tabs
     }
   }
   // All sides but perhaps the end of the narrow arm.
-  CHECK(feet >= 5);
+  CHECK(bases >= 5);
 }
 
-TEST_CASE("what stands in the air or over an edge has no foot", "[foot_tabs]") {
-  CHECK(unfold::find_feet(standing(l_foot, 0.19), {}).size() == 6);
-  CHECK(unfold::find_feet(standing(l_foot, 0.21), {}).empty());
+TEST_CASE("what stands in the air or over an edge has no base", "[base_tabs]") {
+  CHECK(unfold::find_open_bases(standing(l_foot, 0.19), {}).size() == 6);
+  CHECK(unfold::find_open_bases(standing(l_foot, 0.21), {}).empty());
   std::vector<Vec2> beyond = l_foot;
   for (Vec2& p : beyond) {
     p.x += 45.0;
   }
-  CHECK(unfold::find_feet(standing(beyond, 0.0), {}).size() < 6);
+  CHECK(unfold::find_open_bases(standing(beyond, 0.0), {}).size() < 6);
 }
 
-TEST_CASE("no tabs are wanted, none at feet either", "[foot_tabs]") {
+TEST_CASE("no tabs are wanted, none at bases either", "[base_tabs]") {
   Sample sample = laid_out(standing(l_foot, 0.0));
   unfold::Options options;
   options.tabs.wanted = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the edges that a user names, or that nets made before fold and cut, to wishes for edges of the surface
-// that is unfolded.
+// From the edges that a user names, or that nets made before fold and cut, to constraints for edges of the
+// surface that is unfolded.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 #include "prepare/prepared/options.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/prepared/skin_report.hpp"
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::job {
 
@@ -38,7 +38,8 @@ void use_size_of_nets(const EdgeRequests& edges, const mesh::Model& model, prepa
 /// What is wanted of each edge of the prepared surface; empty where nothing is. What couldn't be matched is
 /// noted. Throws Error(unreadable_input) for nets that can't be read, Error(unusable_mesh) for nets of
 /// another model.
-[[nodiscard]] unfold::EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared,
-                                           const Context& context, std::vector<std::string>& notes);
+[[nodiscard]] unfold::EdgeConstraints constraints_of(const EdgeRequests& edges,
+                                                     const prepare::Prepared& prepared,
+                                                     const Context& context, std::vector<std::string>& notes);
 
 }  // namespace ridgecraft::job

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/tabs/place/tab_wishes.hpp"
+#include "unfold/tabs/place/tab_requests.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -52,24 +52,24 @@ TabAt tab_at(const mesh::Surface& surface, const Nets& nets, const Join& join, c
 }
 
 /// The ground that arrows are cut from is a rectangle as high as they are.
-void give_ground_for_slots(TabWish& wish) {
-  if (wish.slot) {
-    wish.options.height_mm = arrow_measures.height();
-    set_angle(0.5 * std::numbers::pi, wish.options);
+void give_ground_for_slots(TabRequest& request) {
+  if (request.slot) {
+    request.options.height_mm = arrow_measures.height();
+    set_angle(0.5 * std::numbers::pi, request.options);
   }
 }
 
-class WishMaker {
+class RequestMaker {
  public:
-  WishMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
+  RequestMaker(const mesh::Surface& surface, const Nets& nets) : surface_(surface), nets_(nets) {}
 
-  std::vector<TabWish> make(const TabOptions& options, const TabChoice& choice) {
+  std::vector<TabRequest> make(const TabOptions& options, const TabChoice& choice) {
     for (const Join& join : nets_.joins) {
-      TabWish wish;
-      wish.second = choice.sides == TabSides::both;
-      wish.options = options_for(options, choice, surface_.length(join.edge));
-      wish.slot = choice.sides == TabSides::slots;
-      wishes_.push_back(wish);
+      TabRequest request;
+      request.second = choice.sides == TabSides::both;
+      request.options = options_for(options, choice, surface_.length(join.edge));
+      request.slot = choice.sides == TabSides::slots;
+      requests_.push_back(request);
     }
     if (choice.sides == TabSides::one_side) {
       keep_to_one_side();
@@ -78,10 +78,10 @@ class WishMaker {
     }
     heed(by_edges(surface_, nets_, choice.edges));
     heed(choice.at);
-    for (TabWish& wish : wishes_) {
-      give_ground_for_slots(wish);
+    for (TabRequest& request : requests_) {
+      give_ground_for_slots(request);
     }
-    return std::move(wishes_);
+    return std::move(requests_);
   }
 
  private:
@@ -106,7 +106,7 @@ class WishMaker {
     }
     for (const JoinId j : ids<JoinId>(nets_.joins.size())) {
       if (const Seam seam = seam_of(nets_.joins[j]); seam.first != seam.second) {
-        wishes_[j.value()].side = side_of(nets_.joins[j], more[seam] >= 0.0 ? seam.first : seam.second);
+        requests_[j.value()].side = side_of(nets_.joins[j], more[seam] >= 0.0 ? seam.first : seam.second);
       }
     }
   }
@@ -118,8 +118,8 @@ class WishMaker {
       const Join& join = nets_.joins[j];
       const Seam seam = seam_of(join);
       bool& turn = second[seam];
-      wishes_[j.value()].side = seam.first == seam.second ? static_cast<std::uint8_t>(turn ? 1 : 0)
-                                                          : side_of(join, turn ? seam.second : seam.first);
+      requests_[j.value()].side = seam.first == seam.second ? static_cast<std::uint8_t>(turn ? 1 : 0)
+                                                            : side_of(join, turn ? seam.second : seam.first);
       turn = !turn;
     }
   }
@@ -131,25 +131,25 @@ class WishMaker {
     }
     for (const TabAt& at : asked) {
       if (const auto found = join_at.find(at.edge); found != join_at.end()) {
-        heed(at, wishes_[found->second.value()]);
+        heed(at, requests_[found->second.value()]);
       }
     }
   }
 
-  static void heed(const TabAt& asked, TabWish& wish) {
-    wish.wanted = asked.wanted;
-    wish.second = wish.second || asked.both;
+  static void heed(const TabAt& asked, TabRequest& request) {
+    request.wanted = asked.wanted;
+    request.second = request.second || asked.both;
     if (asked.side) {
-      wish.side = asked.side;
-      wish.no_other_side = asked.no_other_side;
+      request.side = asked.side;
+      request.no_other_side = asked.no_other_side;
     }
-    wish.options.height_mm = asked.height_mm.value_or(wish.options.height_mm);
-    set_angle(asked.angle.value_or(wish.options.angle), wish.options);
+    request.options.height_mm = asked.height_mm.value_or(request.options.height_mm);
+    set_angle(asked.angle.value_or(request.options.angle), request.options);
   }
 
   const mesh::Surface& surface_;
   const Nets& nets_;
-  std::vector<TabWish> wishes_;
+  std::vector<TabRequest> requests_;
 };
 
 }  // namespace
@@ -168,9 +168,9 @@ TabOptions with_greatest_height(TabOptions options, const TabChoice& choice) {
   return options;
 }
 
-TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes) {
-  for (const TabWish& wish : wishes) {
-    options.height_mm = std::max(options.height_mm, wish.options.height_mm);
+TabOptions with_greatest_height(TabOptions options, std::span<const TabRequest> requests) {
+  for (const TabRequest& request : requests) {
+    options.height_mm = std::max(options.height_mm, request.options.height_mm);
   }
   return options;
 }
@@ -197,9 +197,9 @@ std::vector<TabAt> by_edges(const mesh::Surface& surface, const Nets& nets,
   return at;
 }
 
-std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets, const TabOptions& options,
-                                const TabChoice& choice) {
-  return WishMaker(surface, nets).make(options, choice);
+std::vector<TabRequest> tab_requests(const mesh::Surface& surface, const Nets& nets,
+                                     const TabOptions& options, const TabChoice& choice) {
+  return RequestMaker(surface, nets).make(options, choice);
 }
 
 }  // namespace ridgecraft::unfold

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edges that a user wants cut or kept together.
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 #include <algorithm>
 #include <ctime>
@@ -19,9 +19,9 @@ using namespace ridgecraft;
 using test::faults_of;
 using test::none;
 using test::scaled;
+using unfold::EdgeConstraint;
+using unfold::EdgeConstraints;
 using unfold::EdgeUse;
-using unfold::EdgeWish;
-using unfold::EdgeWishes;
 using unfold::Nets;
 using unfold::Options;
 using unfold::PieceReason;
@@ -49,13 +49,13 @@ std::size_t noted(const Nets& nets, const std::string& words) {
 
 }  // namespace
 
-TEST_CASE("what is to be cut is cut, what can be kept is kept", "[wishes]") {
+TEST_CASE("what is to be cut is cut, what can be kept is kept", "[constraints]") {
   const mesh::Surface s = scaled(test::sphere(10, 7), 40.0);
   const prepare::Panels panels = test::flat_panels(s);
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Random random(seed);
     Options options = on_paper();
-    options.wishes = EdgeWishes(s.edge_count(), EdgeWish::none);
+    options.constraints = EdgeConstraints(s.edge_count(), EdgeConstraint::none);
     DisjointSets together(s.face_count());
     for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
       const auto [c, d] = s.sides(e);
@@ -72,23 +72,23 @@ TEST_CASE("what is to be cut is cut, what can be kept is kept", "[wishes]") {
         continue;
       }
       if (chance < 0.1) {
-        options.wishes[e] = EdgeWish::cut;
+        options.constraints[e] = EdgeConstraint::cut;
       } else if (chance < 0.15 && together.join(mesh::face_of(c).value(), mesh::face_of(d).value())) {
-        options.wishes[e] = EdgeWish::keep;
+        options.constraints[e] = EdgeConstraint::keep;
       }
     }
     const Nets nets = unfold::unfold(s, panels, test::one_part(s), options, {});
     CHECK(faults_of(s, nets, options) == none);
     for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
-      if (options.wishes[e] != EdgeWish::none) {
-        CHECK(nets.use[e] == (options.wishes[e] == EdgeWish::cut ? EdgeUse::cut : EdgeUse::fold));
+      if (options.constraints[e] != EdgeConstraint::none) {
+        CHECK(nets.use[e] == (options.constraints[e] == EdgeConstraint::cut ? EdgeUse::cut : EdgeUse::fold));
       }
     }
     CHECK(noted(nets, "to be kept") == 0);
   }
 }
 
-TEST_CASE("nets that are given survive, whatever the seed", "[wishes]") {
+TEST_CASE("nets that are given survive, whatever the seed", "[constraints]") {
   const mesh::Surface s = scaled(test::sphere(9, 6), 60.0);
   const prepare::Panels panels = test::flat_panels(s);
   IdVector<FaceId, PartId> part(s.face_count(), PartId(0));
@@ -97,9 +97,9 @@ TEST_CASE("nets that are given survive, whatever the seed", "[wishes]") {
   }
   Options options = on_paper();
   const Nets before = unfold::unfold(s, panels, test::one_part(s), options, {});
-  options.wishes = EdgeWishes(s.edge_count(), EdgeWish::none);
+  options.constraints = EdgeConstraints(s.edge_count(), EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
-    options.wishes[e] = before.use[e] == EdgeUse::fold ? EdgeWish::keep : EdgeWish::cut;
+    options.constraints[e] = before.use[e] == EdgeUse::fold ? EdgeConstraint::keep : EdgeConstraint::cut;
   }
   Context context;
   context.seed = 99;
@@ -112,16 +112,17 @@ TEST_CASE("nets that are given survive, whatever the seed", "[wishes]") {
   CHECK(after.pieces.size() == before.pieces.size());
 }
 
-TEST_CASE("a cut all the way round makes a piece on request", "[wishes]") {
+TEST_CASE("a cut all the way round makes a piece on request", "[constraints]") {
   const mesh::Surface s = scaled(test::cube(), 20.0);
   Options options = on_paper();
-  options.wishes = EdgeWishes(s.edge_count(), EdgeWish::none);
+  options.constraints = EdgeConstraints(s.edge_count(), EdgeConstraint::none);
   const prepare::Panels panels = test::flat_panels(s);
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
     const auto [c, d] = s.sides(e);
     const PanelId p = panels.panel[mesh::face_of(c)];
     const PanelId q = panels.panel[mesh::face_of(d)];
-    options.wishes[e] = p != q && (p == PanelId(0) || q == PanelId(0)) ? EdgeWish::cut : EdgeWish::none;
+    options.constraints[e] =
+        p != q && (p == PanelId(0) || q == PanelId(0)) ? EdgeConstraint::cut : EdgeConstraint::none;
   }
   const Nets nets = unfold::unfold(s, panels, test::one_part(s), options, {});
   CHECK(faults_of(s, nets, options) == none);
@@ -129,16 +130,16 @@ TEST_CASE("a cut all the way round makes a piece on request", "[wishes]") {
   CHECK(nets.pieces[PieceId(1)].reason == PieceReason::request);
 }
 
-TEST_CASE("what can't all be kept is kept as far as possible, and told", "[wishes]") {
+TEST_CASE("what can't all be kept is kept as far as possible, and told", "[constraints]") {
   const mesh::Surface s = scaled(test::sphere(8, 5), 90.0);
   Options options = on_paper();
-  options.wishes = EdgeWishes(s.edge_count(), EdgeWish::keep);
+  options.constraints = EdgeConstraints(s.edge_count(), EdgeConstraint::keep);
   const Nets nets = unfold::unfold(s, test::flat_panels(s), test::one_part(s), options, {});
   CHECK(faults_of(s, nets, options) == none);
   CHECK(noted(nets, "to be kept") == 1);
 }
 
-TEST_CASE("segments are found on edges that were divided or joined since", "[wishes]") {
+TEST_CASE("segments are found on edges that were divided or joined since", "[constraints]") {
   const mesh::Surface s = scaled(test::cube(), 20.0);
   const prepare::Panels panels = test::flat_panels(s);
   std::vector<Segment> cut;
@@ -158,16 +159,16 @@ TEST_CASE("segments are found on edges that were divided or joined since", "[wis
   keep.push_back({whole[0] - (whole[1] - whole[0]), whole[1]});  // an edge that is half as long now
   unfold::SegmentCount cuts;
   unfold::SegmentCount keeps;
-  const EdgeWishes wishes = unfold::match_segments(s, panels, cut, keep, cuts, keeps, {});
-  CHECK(wishes[divided] == EdgeWish::cut);
-  CHECK(std::count(wishes.begin(), wishes.end(), EdgeWish::cut) == 1);
+  const EdgeConstraints constraints = unfold::match_segments(s, panels, cut, keep, cuts, keeps, {});
+  CHECK(constraints[divided] == EdgeConstraint::cut);
+  CHECK(std::count(constraints.begin(), constraints.end(), EdgeConstraint::cut) == 1);
   CHECK(cuts.found == 2);
   CHECK(cuts.lost == 1);
   CHECK(keeps.flat >= 1);
   CHECK(keeps.found + keeps.flat + keeps.lost == 2);
 }
 
-TEST_CASE("the edges of a large model are found in no time", "[wishes]") {
+TEST_CASE("the edges of a large model are found in no time", "[constraints]") {
   const mesh::Surface s = scaled(test::sphere(200, 120), 60.0);
   const prepare::Panels panels = test::no_panels(s);
   std::vector<Segment> cut;
@@ -178,13 +179,13 @@ TEST_CASE("the edges of a large model are found in no time", "[wishes]") {
   unfold::SegmentCount cuts;
   unfold::SegmentCount keeps;
   const std::clock_t begin = std::clock();
-  const EdgeWishes wishes = unfold::match_segments(s, panels, cut, keep, cuts, keeps, {});
+  const EdgeConstraints constraints = unfold::match_segments(s, panels, cut, keep, cuts, keeps, {});
   // 70,000 edges: each with each took 12 s.
   CHECK(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC < 3.0);
   CHECK(cuts.found == cut.size());
   CHECK(keeps.found == keep.size());
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
-    if (wishes[e] != (e.value() % 3 == 0 ? EdgeWish::cut : EdgeWish::keep)) {
+    if (constraints[e] != (e.value() % 3 == 0 ? EdgeConstraint::cut : EdgeConstraint::keep)) {
       FAIL("edge " << e.value());
     }
   }

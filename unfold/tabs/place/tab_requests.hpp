@@ -14,7 +14,7 @@
 namespace ridgecraft::unfold {
 
 /// How one join's tab is to be.
-struct TabWish {
+struct TabRequest {
   bool wanted = true;
   bool second = false;               ///< a tab on the other side, too (missing_tabs.hpp)
   std::optional<std::uint8_t> side;  ///< of Surface::sides(edge): 0 or 1, from which it grows
@@ -24,8 +24,8 @@ struct TabWish {
 };
 
 /// What is asked for numbers, told of the edges that have them in these nets, so that it outlives the
-/// numbers; of what is asked for one number the last counts. Throws Error(unreadable_input) as tab_wishes().
-/// O(n log n).
+/// numbers; of what is asked for one number the last counts. Throws Error(unreadable_input) as
+/// tab_requests(). O(n log n).
 [[nodiscard]] std::vector<TabAt> by_edges(const mesh::Surface& surface, const Nets& nets,
                                           const std::vector<EdgeTab>& asked);
 
@@ -33,7 +33,7 @@ struct TabWish {
 [[nodiscard]] TabOptions options_for(const TabOptions& options, const TabChoice& choice, double length_mm);
 
 /// As high as the highest tab that is asked for: for what may lie in the way of any of them.
-[[nodiscard]] TabOptions with_greatest_height(TabOptions options, std::span<const TabWish> wishes);
+[[nodiscard]] TabOptions with_greatest_height(TabOptions options, std::span<const TabRequest> requests);
 
 /// As high as the highest tab of any edge, by the choice for all of them.
 [[nodiscard]] TabOptions with_greatest_height(TabOptions options, const TabChoice& choice);
@@ -41,7 +41,7 @@ struct TabWish {
 /// One for each join. With TabSides::one_side the nets have tabs already: along a seam of two pieces, those
 /// tell which of them gives more of it. Throws Error(unreadable_input) where a number belongs to no join, or
 /// a piece to none of its sides; the message says who asked. O(n log n).
-[[nodiscard]] std::vector<TabWish> tab_wishes(const mesh::Surface& surface, const Nets& nets,
-                                              const TabOptions& options, const TabChoice& choice);
+[[nodiscard]] std::vector<TabRequest> tab_requests(const mesh::Surface& surface, const Nets& nets,
+                                                   const TabOptions& options, const TabChoice& choice);
 
 }  // namespace ridgecraft::unfold

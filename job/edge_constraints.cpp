@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "job/edge_wishes.hpp"
+#include "job/edge_constraints.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -16,8 +16,8 @@
 namespace ridgecraft::job {
 namespace {
 
-using unfold::EdgeWish;
-using unfold::EdgeWishes;
+using unfold::EdgeConstraint;
+using unfold::EdgeConstraints;
 using unfold::Segment;
 using unfold::SegmentCount;
 
@@ -100,10 +100,10 @@ void note_count(const SegmentCount& count, std::string_view what, std::vector<st
 }
 
 /// Cuts and edges to be kept, matched each for itself so that contradictions show. Of these the cut counts:
-/// it can always be made, and what is kept is a wish that may fail for other reasons, too.
-EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Segment>& cut,
-                        const std::vector<Segment>& keep, const Context& context,
-                        std::vector<std::string>& notes) {
+/// it can always be made, and what is kept is a constraint that may fail for other reasons, too.
+EdgeConstraints constraints_asked(const prepare::Prepared& prepared, const std::vector<Segment>& cut,
+                                  const std::vector<Segment>& keep, const Context& context,
+                                  std::vector<std::string>& notes) {
   SegmentCount cuts;
   SegmentCount keeps;
   SegmentCount none;
@@ -111,13 +111,13 @@ EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Seg
     return unfold::match_segments(prepared.model.surface, prepared.panels, to_cut, to_keep,
                                   to_cut.empty() ? none : cuts, to_keep.empty() ? none : keeps, context);
   };
-  EdgeWishes wishes = match(cut, {});
+  EdgeConstraints constraints = match(cut, {});
   if (!keep.empty()) {
-    const EdgeWishes kept = match({}, keep);
+    const EdgeConstraints kept = match({}, keep);
     std::size_t both = 0;
-    for (const EdgeId e : ids<EdgeId>(wishes.size())) {
-      both += wishes[e] == EdgeWish::cut && kept[e] == EdgeWish::keep ? 1U : 0U;
-      wishes[e] = wishes[e] == EdgeWish::none ? kept[e] : wishes[e];
+    for (const EdgeId e : ids<EdgeId>(constraints.size())) {
+      both += constraints[e] == EdgeConstraint::cut && kept[e] == EdgeConstraint::keep ? 1U : 0U;
+      constraints[e] = constraints[e] == EdgeConstraint::none ? kept[e] : constraints[e];
     }
     if (both > 0) {
       notes.push_back(fmt::format("{} to be kept {} to be cut, too, and {} cut",
@@ -127,17 +127,17 @@ EdgeWishes wishes_asked(const prepare::Prepared& prepared, const std::vector<Seg
   }
   note_count(cuts, "to be cut", notes);
   note_count(keeps, "to be kept", notes);
-  return wishes;
+  return constraints;
 }
 
-EdgeWishes wishes_from_nets(const OldNets& old, const prepare::Prepared& prepared, const Context& context,
-                            std::vector<std::string>& notes) {
+EdgeConstraints constraints_from_nets(const OldNets& old, const prepare::Prepared& prepared,
+                                      const Context& context, std::vector<std::string>& notes) {
   const mesh::Surface& surface = prepared.model.surface;
   const Seams seams =
       is_fold_file(old) ? seams_of_fold(old, surface) : seams_of_model_file(old, surface, context);
   SegmentCount cuts;
   SegmentCount keeps;
-  EdgeWishes wishes =
+  EdgeConstraints constraints =
       unfold::match_segments(surface, prepared.panels, seams.cut, seams.keep, cuts, keeps, context);
   const std::size_t lost = cuts.lost + keeps.lost;
   const std::size_t all = seams.cut.size() + seams.keep.size();
@@ -151,7 +151,7 @@ EdgeWishes wishes_from_nets(const OldNets& old, const prepare::Prepared& prepare
     notes.push_back(
         fmt::format("{} of {} edges of {} are no edges of the model on paper", lost, all, old.name));
   }
-  return wishes;
+  return constraints;
 }
 
 /// Edges by the numbers of their ends, at their places.
@@ -253,27 +253,27 @@ prepare::Skins skins_for(const EdgeRequests& edges, prepare::Skins wanted) {
   return *skins == verify::Setting("middle") ? prepare::Skins::middle : prepare::Skins::both;
 }
 
-EdgeWishes wishes_of(const EdgeRequests& edges, const prepare::Prepared& prepared, const Context& context,
-                     std::vector<std::string>& notes) {
-  EdgeWishes wishes;
+EdgeConstraints constraints_of(const EdgeRequests& edges, const prepare::Prepared& prepared,
+                               const Context& context, std::vector<std::string>& notes) {
+  EdgeConstraints constraints;
   if (edges.from) {
-    wishes = wishes_from_nets(*edges.from, prepared, context, notes);
+    constraints = constraints_from_nets(*edges.from, prepared, context, notes);
   }
   std::vector<Segment> cut = prepared.model.lines;
   const std::vector<Segment> named = segments_of(edges.cut, prepared.model);
   cut.insert(cut.end(), named.begin(), named.end());
   const std::vector<Segment> keep = segments_of(edges.keep, prepared.model);
   if (cut.empty() && keep.empty()) {
-    return wishes;
+    return constraints;
   }
-  EdgeWishes asked = wishes_asked(prepared, cut, keep, context, notes);
-  if (wishes.empty()) {
+  EdgeConstraints asked = constraints_asked(prepared, cut, keep, context, notes);
+  if (constraints.empty()) {
     return asked;
   }
   for (const EdgeId e : ids<EdgeId>(asked.size())) {
-    wishes[e] = asked[e] != EdgeWish::none ? asked[e] : wishes[e];
+    constraints[e] = asked[e] != EdgeConstraint::none ? asked[e] : constraints[e];
   }
-  return wishes;
+  return constraints;
 }
 
 }  // namespace ridgecraft::job

@@ -15,13 +15,13 @@
 namespace ridgecraft::unfold {
 
 /// What a user wants of an edge of the surface, or its faces do.
-enum class EdgeWish : std::uint8_t {
+enum class EdgeConstraint : std::uint8_t {
   none,
   cut,   ///< never a fold
   keep,  ///< a fold
   band,  ///< a fold: it lies across a wall that goes round, and stays one strip (pieces/kept_edges.hpp)
 };
-using EdgeWishes = IdVector<EdgeId, EdgeWish>;  ///< per edge of a surface, or empty
+using EdgeConstraints = IdVector<EdgeId, EdgeConstraint>;  ///< per edge of a surface, or empty
 
 /// From a point to another, in the surface's frame.
 using Segment = std::array<Vec3, 2>;
@@ -33,11 +33,11 @@ struct SegmentCount {
   std::size_t lost = 0;   ///< on no edge of the surface
 };
 
-/// Wishes for the edges on which segments lie: those of which half or more is covered by segments along them,
-/// so that points may have been added to an edge or taken from it since. What is to be cut and kept is cut.
-/// O((n + m) log (n + m)) for n edges and m segments, but for those that cross many.
-[[nodiscard]] EdgeWishes match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
-                                        std::span<const Segment> cut, std::span<const Segment> keep,
-                                        SegmentCount& cuts, SegmentCount& keeps, const Context& context);
+/// Constraints for the edges on which segments lie: those of which half or more is covered by segments along
+/// them, so that points may have been added to an edge or taken from it since. What is to be cut and kept is
+/// cut. O((n + m) log (n + m)) for n edges and m segments, but for those that cross many.
+[[nodiscard]] EdgeConstraints match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
+                                             std::span<const Segment> cut, std::span<const Segment> keep,
+                                             SegmentCount& cuts, SegmentCount& keeps, const Context& context);
 
 }  // namespace ridgecraft::unfold

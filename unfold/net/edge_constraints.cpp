@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/net/edge_wishes.hpp"
+#include "unfold/net/edge_constraints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +51,8 @@ class Matcher {
     }
   }
 
-  void mark(std::span<const Segment> segments, EdgeWish wish, EdgeWishes& wishes, SegmentCount& count) const {
+  void mark(std::span<const Segment> segments, EdgeConstraint constraint, EdgeConstraints& constraints,
+            SegmentCount& count) const {
     std::vector<double> covered(boxes_.size(), 0.0);
     const std::vector<std::vector<EdgeId>> edges = edges_near(segments);
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -75,7 +76,7 @@ class Matcher {
     }
     for (const EdgeId e : ids<EdgeId>(boxes_.size())) {
       if (covered[e.value()] > 0.0 && covered[e.value()] >= most * surface_.length(e) && !is_flat(e)) {
-        wishes[e] = wish;
+        constraints[e] = constraint;
       }
     }
   }
@@ -122,14 +123,14 @@ class Matcher {
 
 }  // namespace
 
-EdgeWishes match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
-                          std::span<const Segment> cut, std::span<const Segment> keep, SegmentCount& cuts,
-                          SegmentCount& keeps, const Context& context) {
+EdgeConstraints match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
+                               std::span<const Segment> cut, std::span<const Segment> keep,
+                               SegmentCount& cuts, SegmentCount& keeps, const Context& context) {
   const Matcher matcher(surface, panels, context);
-  EdgeWishes wishes(surface.edge_count(), EdgeWish::none);
-  matcher.mark(keep, EdgeWish::keep, wishes, keeps);
-  matcher.mark(cut, EdgeWish::cut, wishes, cuts);
-  return wishes;
+  EdgeConstraints constraints(surface.edge_count(), EdgeConstraint::none);
+  matcher.mark(keep, EdgeConstraint::keep, constraints, keeps);
+  matcher.mark(cut, EdgeConstraint::cut, constraints, cuts);
+  return constraints;
 }
 
 }  // namespace ridgecraft::unfold
