@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "verify/checks/checks.hpp"
+#include "verify/checks/settings.hpp"
 #include "verify/file/relations.hpp"
-#include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/polygon.hpp"
 #include "verify/geometry/space.hpp"

@@ -11,7 +11,6 @@
 
 #include "verify/checks/checks.hpp"
 #include "verify/checks/settings.hpp"
-#include "verify/file/settings_form.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/polygon.hpp"
 
