@@ -104,7 +104,7 @@ class PageDrawer {
       }
     }
     report_.pictures =
-        paint_pieces(model_, nets_, contents_, pages_, style_, piece_ids_, pieces_, known, context_);
+        paint_pieces({model_, nets_, contents_, pages_, style_, piece_ids_}, pieces_, known, context_);
     collect_groups();
     drawings_.resize(lists_.size());
     finish_pages();
@@ -121,11 +121,15 @@ class PageDrawer {
     report_.objects = find_piece_objects(model_, nets_);
   }
 
+  [[nodiscard]] PieceOnPage on_page(PieceId id) const {
+    return {model_, nets_, id, contents_[id], pages_.placements[id]};
+  }
+
   void draw_pieces() {
     const auto notes = piece_notes(surface_, nets_, report_.bodies, report_.kinds, report_.objects);
     for (const PieceId id : ids<PieceId>(nets_.pieces.size())) {
       const Placement& placement = pages_.placements[id];
-      PieceDrawing piece = piece_drawing(model_, nets_, id, contents_[id], placement, style_);
+      PieceDrawing piece = piece_drawing(on_page(id), style_);
       piece.notes = notes[id];
       report_lines(piece.group, report_);
       for (const GlueOutline& glued :
@@ -149,8 +153,7 @@ class PageDrawer {
 
   void draw_tab_shadows(std::size_t page) {
     for (std::size_t i = 0; style_.tab_shadows && i < pieces_[page].size(); ++i) {
-      const PieceId id = piece_ids_[page][i];
-      add_tab_shadows(surface_, nets_, id, contents_[id], pages_.placements[id], pieces_[page][i]);
+      add_tab_shadows(on_page(piece_ids_[page][i]), pieces_[page][i]);
     }
   }
 
@@ -181,14 +184,13 @@ class PageDrawer {
       Group foot;
       foot.id = "page";
       if (pages_.paper.furniture) {
-        foot = furniture(pages_.paper, drawing.title, drawing.page, drawing.page_count,
-                         line_kinds(drawing.groups), anywhere);
+        foot = furniture(pages_.paper, drawing, line_kinds(drawing.groups), anywhere);
       }
       foot.texts.insert(foot.texts.end(), lists_[i].begin(), lists_[i].end());
       drawing.groups.push_back(std::move(foot));
       if (i < backs_.size() && !backs_[i].empty()) {
         drawing.back = std::move(backs_[i]);
-        drawing.back.push_back(foot_of_back(pages_.paper, drawing.title, drawing.page, drawing.page_count));
+        drawing.back.push_back(foot_of_back(pages_.paper, drawing));
       }
     }
   }

@@ -31,13 +31,12 @@ namespace ridgecraft::export_ {
 /// Packs the pieces by their true outlines, tabs included, with the gap between them (more where a page has
 /// room), on as few pages as it can. Pieces of one part stay together where that costs no page and leaves no
 /// page half empty; those of different `sort` never share a page, and pages come in the order of these.
-/// Where the paper's grain is to be heeded, pieces lie with the directions of their folds (fold_directions())
+/// Where the paper's grain matters, pieces lie with the directions of their folds (fold_directions())
 /// within 15 degrees of it, those at least that fit so; equal ones don't lie in rows then.
 /// Deterministic, unless the context's deadline passes: then the best so far is taken. Throws Error(no_nets)
 /// naming a piece that fits no page.
 [[nodiscard]] Pages layout(const unfold::Nets& nets, const Paper& paper, const Context& context,
-                           const IdVector<PieceId, std::uint32_t>& sort = {},
-                           const IdVector<PieceId, Vec2>& fold_directions = {});
+                           const LayoutRules& rules = {});
 
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
 /// page less, with a reserve of 4 %, since tabs don't shrink with the model and nets come out otherwise; none

@@ -207,18 +207,17 @@ std::vector<AlikeShapes> part_of(const std::vector<AlikeShapes>& kinds,
 
 }  // namespace
 
-Pages layout(const Nets& nets, const Paper& paper, const Context& context,
-             const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions) {
+Pages layout(const Nets& nets, const Paper& paper, const Context& context, const LayoutRules& rules) {
   check_paper(paper);
-  const PackingTask task = packing_task(nets, paper, fold_directions);
-  const bool along_grain = follows_grain(paper, fold_directions);
+  const PackingTask task = packing_task(nets, paper, rules.fold_directions);
+  const bool along_grain = follows_grain(paper, rules.fold_directions);
   check_fit(nets, task, paper);
   Pages pages;
   pages.paper = paper;
   pages.placements = IdVector<PieceId, Placement>(task.shapes.size());
   const Vec2 corner = piece_box(paper).low;
   const std::vector<AlikeShapes> alike = alike_shapes(nets);
-  for (const std::vector<std::uint32_t>& shapes : sorts_of(sort, task.shapes.size())) {
+  for (const std::vector<std::uint32_t>& shapes : sorts_of(rules.sort, task.shapes.size())) {
     const std::size_t first_page = pages.count;
     const PackingTask part = part_of(task, shapes);
     const std::vector<Packed> packed =

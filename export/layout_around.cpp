@@ -30,11 +30,10 @@ constexpr std::size_t most_turns = 16;
 class AroundLayout {
  public:
   AroundLayout(const unfold::Nets& nets, const Paper& paper,
-               const IdVector<PieceId, std::optional<KeptPlace>>& kept,
-               const IdVector<PieceId, std::uint32_t>& sort, const IdVector<PieceId, Vec2>& fold_directions)
+               const IdVector<PieceId, std::optional<KeptPlace>>& kept, const LayoutRules& rules)
       : kept_(kept),
-        sort_(sort),
-        task_(packing_task(nets, paper, fold_directions)),
+        sort_(rules.sort),
+        task_(packing_task(nets, paper, rules.fold_directions)),
         box_(piece_box(paper)),
         grid_(task_.area, cell_mm),
         places_(nets.pieces.size()) {
@@ -274,11 +273,9 @@ class AroundLayout {
 
 std::variant<Pages, NoPlace> layout_around(const unfold::Nets& nets, const Paper& paper,
                                            const IdVector<PieceId, std::optional<KeptPlace>>& kept,
-                                           const Context& context,
-                                           const IdVector<PieceId, std::uint32_t>& sort,
-                                           const IdVector<PieceId, Vec2>& fold_directions) {
+                                           const Context& context, const LayoutRules& rules) {
   check_paper(paper);
-  return AroundLayout(nets, paper, kept, sort, fold_directions).lay_out(context);
+  return AroundLayout(nets, paper, kept, rules).lay_out(context);
 }
 
 namespace {

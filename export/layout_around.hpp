@@ -51,8 +51,7 @@ struct NoPlace {
 /// but for the search for room.
 [[nodiscard]] std::variant<Pages, NoPlace> layout_around(
     const unfold::Nets& nets, const Paper& paper, const IdVector<PieceId, std::optional<KeptPlace>>& kept,
-    const Context& context, const IdVector<PieceId, std::uint32_t>& sort = {},
-    const IdVector<PieceId, Vec2>& fold_directions = {});
+    const Context& context, const LayoutRules& rules = {});
 
 /// The place nearest to where the piece is held, in steps of about a millimetre, where it lies on the sheet
 /// and keeps the paper's gap to all others, which lie as `pages` has them. It stays on its page, which may be

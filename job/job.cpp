@@ -124,8 +124,9 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
     }
     const export_::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
     return export_::write_fold(
-        made.prepared, made.part, made.nets, made.assembly, pages, made.mark,
-        own ? export_::find_glue_outlines(model.surface, made.nets) : made.drawn.glue_outlines, made.up);
+        {made.prepared, made.part, made.nets, made.assembly, pages,
+         own ? export_::find_glue_outlines(model.surface, made.nets) : made.drawn.glue_outlines, made.up},
+        made.mark);
   });
   made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
 }
@@ -389,8 +390,8 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
 }
 
 export_::Guide guide_of(const Paper& made, const Context& context) {
-  return export_::draw_guide(made.prepared, nets_on_pages(made), made.pages, made.assembly,
-                             made.drawings.size(), made.drawn.bodies, export_::stance_of(made.up),
+  return export_::draw_guide({made.prepared, nets_on_pages(made), made.pages, made.assembly,
+                              made.drawings.size(), made.drawn.bodies, export_::stance_of(made.up)},
                              made.options.style, context);
 }
 

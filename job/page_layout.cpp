@@ -12,8 +12,9 @@ namespace ridgecraft::job {
 export_::Pages laid_out(const prepare::Prepared& model, const Options& options, const unfold::Nets& nets,
                         const Context& context) {
   const PageLabels labels = page_labels(model.model, options.page_by);
-  export_::Pages pages = export_::layout(nets, *options.paper, context, labels_of_pieces(labels, nets),
-                                         export_::fold_directions(model.model.surface, nets));
+  export_::Pages pages =
+      export_::layout(nets, *options.paper, context,
+                      {labels_of_pieces(labels, nets), export_::fold_directions(model.model.surface, nets)});
   pages.names = names_of_pages(labels, nets, pages);
   return pages;
 }
@@ -22,8 +23,9 @@ std::variant<export_::Pages, export_::NoPlace> laid_around(
     const prepare::Prepared& model, const Options& options, const unfold::Nets& nets,
     const IdVector<PieceId, std::optional<export_::KeptPlace>>& kept, const Context& context) {
   const PageLabels labels = page_labels(model.model, options.page_by);
-  auto pages = export_::layout_around(nets, *options.paper, kept, context, labels_of_pieces(labels, nets),
-                                      export_::fold_directions(model.model.surface, nets));
+  auto pages = export_::layout_around(
+      nets, *options.paper, kept, context,
+      {labels_of_pieces(labels, nets), export_::fold_directions(model.model.surface, nets)});
   if (auto* const laid = std::get_if<export_::Pages>(&pages)) {
     laid->names = names_of_pages(labels, nets, *laid);
   }

@@ -59,13 +59,20 @@ void check_pdf_size(Vec2 page_mm);
 /// Bytes of a PNG of one page; coarser than asked where it would have more than 100 million pixels.
 [[nodiscard]] std::string write_png(const Drawing& page, const Mark& mark, double dots_per_inch = 150.0);
 
-/// Bytes of nets.fold. Without pages every piece gets an unbounded page of its own. `glue_outlines` are those
-/// that the pages show; `up` is the axis that points up, where it isn't given that of the model
-/// (view/stance.hpp).
-[[nodiscard]] std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
-                                     const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                                     const Mark& mark, const std::vector<GlueOutline>& glue_outlines = {},
-                                     std::optional<mesh::Axis> up = std::nullopt);
+/// What a file of nets tells. What it only names must outlive it.
+struct FoldContents {
+  const prepare::Prepared& model;
+  const IdVector<FaceId, PartId>& part;
+  const unfold::Nets& nets;
+  const Assembly& assembly;
+  const Pages* pages = nullptr;  ///< without them every piece gets an unbounded page of its own
+  std::vector<GlueOutline> glue_outlines = {};  ///< those that the pages show
+  std::optional<mesh::Axis> up =
+      std::nullopt;  ///< the axis that points up, if not the model's (view/camera.hpp)
+};
+
+/// Bytes of nets.fold.
+[[nodiscard]] std::string write_fold(const FoldContents& contents, const Mark& mark);
 
 /// Of drawings what a page for browsers can't tell from the nets: texts, leaders, the foot of each page,
 /// colours and pictures. The second document of docs/design/viewer.md. O(size).

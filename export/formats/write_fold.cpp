@@ -303,10 +303,8 @@ void write_head(JsonText& json, const Mark& mark) {
 
 }  // namespace
 
-std::string write_fold(const prepare::Prepared& model, const IdVector<FaceId, PartId>& part,
-                       const unfold::Nets& nets, const Assembly& assembly, const Pages* pages,
-                       const Mark& mark, const std::vector<GlueOutline>& glue_outlines,
-                       std::optional<mesh::Axis> up) {
+std::string write_fold(const FoldContents& contents, const Mark& mark) {
+  const auto& [model, part, nets, assembly, pages, glue_outlines, up] = contents;
   const Surface& surface = model.model.surface;
   RIDGECRAFT_ASSERT(part.size() == surface.face_count());
   const NetFrame frame = net_frame(surface, nets, pages);

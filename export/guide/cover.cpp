@@ -248,10 +248,10 @@ Group cover(const GuideModel& guide, const Context& context) {
   const Camera camera = look_from(guide.shown, side.azimuth, side.elevation);
   const Fit fit = fit_into(seen_box(guide.scene, camera), frame);
   if (guide.in_colour) {
-    add_coloured_picture(*guide.model, guide.scene, *guide.nets, camera, fit, group, context);
+    add_coloured_picture(*guide.model, {guide.scene, *guide.nets, camera, fit}, group, context);
   } else {
     add_picture(
-        guide.scene, *guide.nets, camera, fit, std::nullopt,
+        {guide.scene, *guide.nets, camera, fit},
         [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group);
   }
   group.lines.push_back(guide_rule({room.low.x, facts_top}, {room.high.x, facts_top}));

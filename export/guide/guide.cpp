@@ -287,7 +287,7 @@ class Overview {
     const Box2 frame{cell.low + Vec2{0.0, caption_height_mm + caption_gap_mm}, cell.high};
     const Fit fit = fit_at_scale(view.seen, arrangement_.scale, frame);
     add_picture(
-        guide_.scene, *guide_.nets, view.camera, fit, std::nullopt,
+        {guide_.scene, *guide_.nets, view.camera, fit},
         [&](PieceId piece) -> const PieceLook& { return guide_.looks[piece]; }, group_);
     // Names stand beside the widest picture, however much more room there is.
     const double middle = 0.5 * (cell.low.x + cell.high.x);
@@ -372,20 +372,20 @@ Group overview(const GuideModel& guide, const Context& context) {
 
 }  // namespace
 
-Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
-                 const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
-                 const Stance& stance, const Style& style, const Context& context) {
+Guide draw_guide(const GuideSource& source, const Style& style, const Context& context) {
+  const prepare::Prepared& model = source.model;
+  const unfold::Nets& nets = source.nets;
   GuideModel guide;
   guide.model = &model;
   guide.nets = &nets;
-  guide.pages = &pages;
-  guide.assembly = &assembly;
-  guide.bodies = bodies;
-  guide.sheets = sheets;
+  guide.pages = &source.pages;
+  guide.assembly = &source.assembly;
+  guide.bodies = source.bodies;
+  guide.sheets = source.sheets;
   guide.hidden_fold_angle = style.hidden_fold_angle;
   guide.title = printable_utf8(model.model.name);
-  guide.sheet = guide_sheet(pages.paper);
-  guide.stance = stance;
+  guide.sheet = guide_sheet(source.pages.paper);
+  guide.stance = source.stance;
   guide.effort = effort_of(model.model.surface, nets, style.hidden_fold_angle);
   guide.scene = scene_of(model, nets, style.hidden_fold_angle);
   guide.in_colour = model.look != nullptr && style.ink != Ink::lines;
@@ -404,7 +404,7 @@ Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const
     groups.push_back(std::move(page));
   }
   Guide result;
-  result.steps = assembly.steps.size();
+  result.steps = source.assembly.steps.size();
   result.effort = guide.effort;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     Drawing& page = result.pages.emplace_back();

@@ -25,12 +25,20 @@ struct Guide {
   Effort effort;
 };
 
-/// A cover, where each piece is, and the steps in the order of the assembly. `sheets` is how many pages of
-/// nets and lists there are, `bodies` those that draw() has found; pictures show the model as it
-/// stands. Deterministic, whatever the number of
-/// threads. Throws Error(interrupted). About O(steps faces log faces), less where that would be long.
-[[nodiscard]] Guide draw_guide(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
-                               const Assembly& assembly, std::size_t sheets, std::span<const Body> bodies,
-                               const Stance& stance, const Style& style, const Context& context);
+/// What a guide is drawn from. Not copied: all that it names must outlive it.
+struct GuideSource {
+  const prepare::Prepared& model;
+  const unfold::Nets& nets;
+  const Pages& pages;
+  const Assembly& assembly;
+  std::size_t sheets = 0;        ///< pages of nets and lists
+  std::span<const Body> bodies;  ///< those that draw() has found
+  Stance stance;                 ///< as the model stands
+};
+
+/// A cover, where each piece is, and the steps in the order of the assembly. Deterministic, whatever the
+/// number of threads. Throws Error(interrupted). About O(steps faces log faces), less where that would be
+/// long.
+[[nodiscard]] Guide draw_guide(const GuideSource& source, const Style& style, const Context& context);
 
 }  // namespace ridgecraft::export_

@@ -140,18 +140,17 @@ std::vector<Vec2> common_part(std::vector<Vec2> polygon, const std::vector<Vec2>
 
 class ColouredAreas {
  public:
-  ColouredAreas(const prepare::Prepared& model, const Scene& scene, const Camera& camera, const Fit& fit,
-                Group& group, const Context& context)
+  ColouredAreas(const prepare::Prepared& model, const Picture& picture, Group& group, const Context& context)
       : surface_(model.model.surface),
         look_(*model.look),
-        camera_(camera),
-        fit_(fit),
+        camera_(picture.camera),
+        fit_(picture.fit),
         group_(group),
         context_(context),
         colours_(face_colours(surface_, look_, context)) {
     for (const FaceId face : ids<FaceId>(surface_.face_count())) {
-      if (scene.has(face)) {
-        faces_of_[scene.region[face]].push_back(face);
+      if (picture.scene.has(face)) {
+        faces_of_[picture.scene.region[face]].push_back(face);
         for (const VertexId v : surface_.vertices(face)) {
           corners_.push_back(camera_(surface_.point(v)));
         }
@@ -297,19 +296,6 @@ class ColouredAreas {
   std::uint32_t hint_ = 0;
 };
 
-}  // namespace
-
-void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, const View& view,
-                        const Camera& camera, const Fit& fit, Group& group, const Context& context) {
-  ColouredAreas areas(model, scene, camera, fit, group, context);
-  for (const VisibleArea& area : view.areas) {
-    areas.add(area);
-  }
-  areas.finish();
-}
-
-namespace {
-
 /// Smaller things than this aren't drawn, mm on the page.
 constexpr double smallest_drawn_mm = 0.04;
 /// What is narrower than this is a stroke, mm on the page: a needle, or a face that the eye has edge-on.
@@ -317,21 +303,20 @@ constexpr double stroke_mm = 0.4;
 constexpr Color white{0xff, 0xff, 0xff};
 constexpr Color ink{0x33, 0x33, 0x38};
 
-void add_areas(const Scene& scene, const unfold::Nets& nets, const View& view, const Camera& camera,
-               const Fit& fit, const std::optional<Box2>& frame, const LookOf& look, Group& group) {
-  const mesh::Surface& surface = *scene.surface;
+void add_areas(const Picture& picture, const View& view, const LookOf& look, Group& group) {
+  const mesh::Surface& surface = *picture.scene.surface;
   for (const VisibleArea& area : view.areas) {
-    const PieceLook& piece = look(nets.piece[area.face]);
+    const PieceLook& piece = look(picture.nets.piece[area.face]);
     const Vec3 normal = surface.normal(area.face);
-    const Color color = area.inside ? shaded(piece.inside, -normal, camera, 0.6 * piece.shade)
-                                    : shaded(piece.face, normal, camera, piece.shade);
+    const Color color = area.inside ? shaded(piece.inside, -normal, picture.camera, 0.6 * piece.shade)
+                                    : shaded(piece.face, normal, picture.camera, piece.shade);
     for (const std::vector<Vec2>& outline : area.outlines) {
       std::vector<Vec2> points;
       for (const Vec2 p : outline) {
-        points.push_back(fit(p));
+        points.push_back(picture.fit(p));
       }
-      if (frame) {
-        points = clipped(std::move(points), *frame);
+      if (picture.frame) {
+        points = clipped(std::move(points), *picture.frame);
       }
       if (points.size() > 2) {
         group.areas.push_back({Layer::picture, std::move(points), color});
@@ -362,8 +347,10 @@ std::vector<double> widths_of_regions(const Scene& scene, const Camera& camera, 
   return widths;
 }
 
-void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, const Camera& camera,
-               const Fit& fit, const std::optional<Box2>& frame, const LookOf& look, Group& group) {
+void add_lines(const Picture& picture, const View& view, const LookOf& look, Group& group) {
+  const Scene& scene = picture.scene;
+  const unfold::Nets& nets = picture.nets;
+  const Fit& fit = picture.fit;
   const mesh::Surface& surface = *scene.surface;
   // Of each line the look of the piece that draws it.
   std::vector<std::pair<const PieceLook*, const VisibleLine*>> lines;
@@ -377,7 +364,7 @@ void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, c
     }
     lines.emplace_back(best, &line);
   }
-  const std::vector<double> widths = widths_of_regions(scene, camera, fit);
+  const std::vector<double> widths = widths_of_regions(scene, picture.camera, fit);
   const auto is_stroke = [&](const VisibleLine& line) {
     return std::ranges::all_of(surface.sides(line.edge), [&](CornerId side) {
       return !side.valid() || !scene.has(mesh::face_of(side)) ||
@@ -392,8 +379,8 @@ void add_lines(const Scene& scene, const unfold::Nets& nets, const View& view, c
   });
   for (const auto& [piece, line] : lines) {
     std::optional<Segment2> seen = Segment2{fit(line->a), fit(line->b)};
-    if (frame) {
-      seen = clipped(*seen, *frame);
+    if (picture.frame) {
+      seen = clipped(*seen, *picture.frame);
     }
     if (seen) {
       Line drawn{Layer::picture, {seen->a, seen->b}};
@@ -460,23 +447,25 @@ Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame) {
   return {scale, 0.5 * (frame.low + frame.high) - scale * 0.5 * (seen.low + seen.high)};
 }
 
-void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
-                 const std::optional<Box2>& frame, const LookOf& look, Group& group) {
-  const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
-  add_areas(scene, nets, view, camera, fit, frame, look, group);
-  add_lines(scene, nets, view, camera, fit, frame, look, group);
+void add_picture(const Picture& picture, const LookOf& look, Group& group) {
+  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale);
+  add_areas(picture, view, look, group);
+  add_lines(picture, view, look, group);
 }
 
-void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
-                          const Camera& camera, const Fit& fit, Group& group, const Context& context) {
-  const View view = look_at(scene, camera, smallest_drawn_mm / fit.scale);
-  add_coloured_areas(model, scene, view, camera, fit, group, context);
+void add_coloured_picture(const prepare::Prepared& model, const Picture& picture, Group& group,
+                          const Context& context) {
+  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale);
+  ColouredAreas areas(model, picture, group, context);
+  for (const VisibleArea& area : view.areas) {
+    areas.add(area);
+  }
+  areas.finish();
   // Where pieces meet isn't seen on a finished model.
   const Pen fold{0.06, {0x55, 0x55, 0x5a}};
   const PieceLook plain{white, white, 0.0, {0.2, ink}, fold, fold, 0};
   add_lines(
-      scene, nets, view, camera, fit, std::nullopt, [&](PieceId) -> const PieceLook& { return plain; },
-      group);
+      picture, view, [&](PieceId) -> const PieceLook& { return plain; }, group);
 }
 
 }  // namespace ridgecraft::export_

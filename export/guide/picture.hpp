@@ -49,13 +49,6 @@ class FaceLight {
 /// Between two colours, all of b at share 1.
 [[nodiscard]] Color mixed(Color a, Color b, double share);
 
-/// Adds the areas that are seen, in the colours of model.look, which must be there: areas where faces have
-/// one colour each, and below them one picture, of dots, of all faces that have pictures on them, so that
-/// nothing hidden is in the drawing. O(areas x faces of their region + dots x log n). Throws
-/// Error(interrupted).
-void add_coloured_areas(const prepare::Prepared& model, const Scene& scene, const View& view,
-                        const Camera& camera, const Fit& fit, Group& group, const Context& context);
-
 /// How the faces and edges of a piece are drawn.
 struct PieceLook {
   Color face;
@@ -86,13 +79,23 @@ using LookOf = std::function<const PieceLook&(PieceId)>;
 /// The middle of what is seen in the middle of the frame.
 [[nodiscard]] Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame);
 
-/// Adds what is seen to the group. Where a frame is given nothing is drawn beyond it.
-void add_picture(const Scene& scene, const unfold::Nets& nets, const Camera& camera, const Fit& fit,
-                 const std::optional<Box2>& frame, const LookOf& look, Group& group);
+/// What is seen, from where, and where on the page. Not copied: scene and nets must outlive it.
+struct Picture {
+  const Scene& scene;
+  const unfold::Nets& nets;
+  Camera camera;
+  Fit fit;
+  std::optional<Box2> frame = {};  ///< nothing is drawn beyond it
+};
 
-/// The same in the model's own colours, without the borders of pieces; model.look must be there.
-/// Throws Error(interrupted).
-void add_coloured_picture(const prepare::Prepared& model, const Scene& scene, const unfold::Nets& nets,
-                          const Camera& camera, const Fit& fit, Group& group, const Context& context);
+/// Adds what is seen to the group.
+void add_picture(const Picture& picture, const LookOf& look, Group& group);
+
+/// The same in the model's own colours, without frame and borders of pieces; model.look must be there: areas
+/// where faces have one colour each, and below them one picture, of dots, of all faces that have pictures on
+/// them, so that nothing hidden is in the drawing. O(areas x faces of their region + dots x log n). Throws
+/// Error(interrupted).
+void add_coloured_picture(const prepare::Prepared& model, const Picture& picture, Group& group,
+                          const Context& context);
 
 }  // namespace ridgecraft::export_

@@ -215,7 +215,8 @@ class StepPages {
     const double bottom = add_sentences(index, box, step, behind, group);
     const Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     const double net_ends = add_net(index, picture, group);
-    add_step_picture(index, step, coarse, largest_beside_net(index, step, picture, net_ends), behind, group);
+    add_step_picture({index, step, coarse, largest_beside_net(index, step, picture, net_ends), behind},
+                     group);
     return group;
   }
 
@@ -404,56 +405,66 @@ class StepPages {
     return {part, fit_into(part ? *part : all, frame)};
   }
 
-  void add_step_picture(std::size_t index, const StepScene& step, const CoarseView& coarse, const Box2& box,
-                        const std::vector<PieceId>& behind, Group& group) const {
-    const Box2 frame = frame_in(index, box);
-    const auto [part, fit] = place_in(index, step, frame);
-    std::optional<Box2> crop;
+  /// The picture of a step.
+  struct StepPicture {
+    std::size_t index;
+    const StepScene& step;
+    const CoarseView& coarse;
+    Box2 box;                            ///< for picture and names
+    const std::vector<PieceId>& behind;  ///< pieces that nothing is seen of
+    Box2 frame = {};                     ///< between the names
+    Fit fit = {};
+    std::optional<Box2> crop = {};  ///< nothing is drawn beyond it
+  };
+
+  void add_step_picture(StepPicture picture, Group& group) const {
+    picture.frame = frame_in(picture.index, picture.box);
+    const auto [part, fit] = place_in(picture.index, picture.step, picture.frame);
+    picture.fit = fit;
     if (part) {
-      crop = Box2{fit(part->low), fit(part->high)};
-      Line edge{Layer::mark,
-                {crop->low, {crop->high.x, crop->low.y}, crop->high, {crop->low.x, crop->high.y}},
-                true};
+      const Box2 crop{fit(part->low), fit(part->high)};
+      picture.crop = crop;
+      Line edge{
+          Layer::mark, {crop.low, {crop.high.x, crop.low.y}, crop.high, {crop.low.x, crop.high.y}}, true};
       edge.pen = guide_rule({}, {}).pen;
       group.lines.push_back(std::move(edge));
     }
     add_picture(
-        step.scene, *guide_.nets, step.camera, fit, crop,
+        {picture.step.scene, *guide_.nets, picture.step.camera, fit, picture.crop},
         [&](PieceId piece) -> const PieceLook& {
-          return is_new(index, piece) ? guide_.looks[piece] : guide_.pale;
+          return is_new(picture.index, piece) ? guide_.looks[piece] : guide_.pale;
         },
         group);
-    add_hidden(index, step, fit, crop, behind, group);
-    add_names(index, step, coarse, fit, crop, frame, box, behind, group);
+    add_hidden(picture, group);
+    add_names(picture, group);
   }
 
   /// Of what is added, those that nothing is seen of, alone.
-  [[nodiscard]] Scene hidden_alone(std::size_t index, const StepScene& step,
-                                   const std::vector<PieceId>& behind) const {
+  [[nodiscard]] Scene hidden_alone(const StepPicture& picture) const {
     IdVector<PieceId, bool> hidden(guide_.nets->pieces.size(), false);
-    for (const PieceId piece : behind) {
-      hidden[piece] = is_new(index, piece);
+    for (const PieceId piece : picture.behind) {
+      hidden[piece] = is_new(picture.index, piece);
     }
-    return scene_with(step.scene, *guide_.nets, hidden);
+    return scene_with(picture.step.scene, *guide_.nets, hidden);
   }
 
   /// Their borders, over what lies before them.
-  void add_hidden(std::size_t index, const StepScene& step, const Fit& fit, const std::optional<Box2>& crop,
-                  const std::vector<PieceId>& behind, Group& group) const {
-    if (std::ranges::none_of(behind, [&](PieceId piece) { return is_new(index, piece); })) {
+  void add_hidden(const StepPicture& picture, Group& group) const {
+    const Fit& fit = picture.fit;
+    if (std::ranges::none_of(picture.behind, [&](PieceId piece) { return is_new(picture.index, piece); })) {
       return;
     }
-    const View view = look_at(hidden_alone(index, step, behind), step.camera, dash_gap_mm / fit.scale);
+    const View view = look_at(hidden_alone(picture), picture.step.camera, dash_gap_mm / fit.scale);
     for (const VisibleLine& line : view.lines) {
       if (!line.outline && guide_.nets->use[line.edge] == unfold::EdgeUse::fold) {
         continue;
       }
       std::optional<Segment2> seen = Segment2{fit(line.a), fit(line.b)};
-      if (crop) {
-        seen = clipped(*seen, *crop);
+      if (picture.crop) {
+        seen = clipped(*seen, *picture.crop);
       }
       if (seen) {
-        add_dashes(*seen, guide_.looks[steps_[index].pieces.front()].outline, group);
+        add_dashes(*seen, guide_.looks[steps_[picture.index].pieces.front()].outline, group);
       }
     }
   }
@@ -518,23 +529,23 @@ class StepPages {
 
   /// Those of what is added beside the picture, those of what it is glued to on their pieces, or beside it in
   /// brackets.
-  void add_names(std::size_t index, const StepScene& step, const CoarseView& coarse, const Fit& fit,
-                 const std::optional<Box2>& crop, const Box2& frame, const Box2& box,
-                 const std::vector<PieceId>& behind, Group& group) const {
+  void add_names(const StepPicture& picture, Group& group) const {
+    const AssemblyStep& step = steps_[picture.index];
+    const Fit& fit = picture.fit;
     const std::vector<Anchor> anchors =
-        find_anchors(coarse, guide_.piece_of_face, guide_.nets->pieces.size());
-    const auto is_in_picture = [&](Vec2 p) {
+        find_anchors(picture.coarse, guide_.piece_of_face, guide_.nets->pieces.size());
+    const auto is_in_picture = [&, &crop = picture.crop](Vec2 p) {
       return !crop || (p.x > crop->low.x && p.x < crop->high.x && p.y > crop->low.y && p.y < crop->high.y);
     };
-    const std::vector<Anchor> on_faces =
-        find_anchors_on_faces(coarse, step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
+    const std::vector<Anchor> on_faces = find_anchors_on_faces(
+        picture.coarse, picture.step.scene, guide_.piece_of_face, guide_.nets->pieces.size());
     std::optional<std::vector<Anchor>> alone;  // found when first needed
     std::vector<Callout> callouts;
-    for (const PieceId piece : steps_[index].pieces) {
+    for (const PieceId piece : step.pieces) {
       const Anchor seen =
           anchor_to_point_at(on_faces[piece.value()], anchors[piece.value()], least_room_mm / fit.scale);
       if (!seen.seen && !alone) {
-        alone = find_anchors(look_coarsely(hidden_alone(index, step, behind), step.camera, name_pixels),
+        alone = find_anchors(look_coarsely(hidden_alone(picture), picture.step.camera, name_pixels),
                              guide_.piece_of_face, guide_.nets->pieces.size());
       }
       const Anchor anchor = seen.seen ? seen : (*alone)[piece.value()];
@@ -543,12 +554,12 @@ class StepPages {
       }
     }
     const double height = 0.9 * grid_.words_height;
-    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
+    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, step)) {
       const Anchor& anchor = anchors[piece.value()];
       const std::string& name = guide_.nets->pieces[piece].name;
       const double needed = 0.5 * (height + text_width(name, height));
-      const bool is_behind = std::binary_search(behind.begin(), behind.end(), piece);
-      const Vec2 at = fit(is_behind ? longest_seam_at(index, piece, step.camera) : anchor.at);
+      const bool is_behind = std::ranges::binary_search(picture.behind, piece);
+      const Vec2 at = fit(is_behind ? longest_seam_at(picture.index, piece, picture.step.camera) : anchor.at);
       if (!is_in_picture(at) || (!is_behind && !anchor.seen)) {
         continue;
       }
@@ -559,7 +570,8 @@ class StepPages {
         callouts.push_back({"(" + name + ")", at});
       }
     }
-    CalloutColumns columns{box, frame.low.x - 1.5, frame.high.x + 1.5, name_share * grid_.words_height};
+    CalloutColumns columns{picture.box, picture.frame.low.x - 1.5, picture.frame.high.x + 1.5,
+                           name_share * grid_.words_height};
     columns.box.high.y -= 1.0;
     add_callouts(callouts, columns, group);
   }

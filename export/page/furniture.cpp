@@ -82,13 +82,12 @@ constexpr std::array<LegendSize, 4> legend_sizes{
 
 class FurnitureMaker {
  public:
-  FurnitureMaker(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used,
-                 const LineKinds& anywhere)
+  FurnitureMaker(const Paper& paper, const Drawing& page, const LineKinds& used, const LineKinds& anywhere)
       : left_(std::max(paper.margin, side_inset)),
         right_(paper.size.x - left_),
         bottom_(std::max(paper.margin, foot_inset)),
-        title_(printable_utf8(title)),
-        page_("page " + std::to_string(page) + " / " + std::to_string(page_count)) {
+        title_(printable_utf8(page.title)),
+        page_("page " + std::to_string(page.page) + " / " + std::to_string(page.page_count)) {
     group_.id = "page";
     items_ = items_of(used);
     items_anywhere_ = items_of(anywhere);
@@ -300,13 +299,12 @@ LineKinds operator|(LineKinds a, const LineKinds& b) {
   return a;
 }
 
-Group furniture(const Paper& paper, std::string_view title, int page, int page_count, const LineKinds& used,
-                const LineKinds& anywhere) {
-  return FurnitureMaker(paper, title, page, page_count, used, anywhere).make();
+Group furniture(const Paper& paper, const Drawing& page, const LineKinds& used, const LineKinds& anywhere) {
+  return FurnitureMaker(paper, page, used, anywhere).make();
 }
 
-Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count) {
-  return FurnitureMaker(paper, title, page, page_count, {}, {}).make_back();
+Group foot_of_back(const Paper& paper, const Drawing& page) {
+  return FurnitureMaker(paper, page, {}, {}).make_back();
 }
 
 namespace {

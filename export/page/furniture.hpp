@@ -35,11 +35,11 @@ struct LineKinds {
 /// all that is used `anywhere`, so that pages look alike. On narrow paper it takes three rows instead of two,
 /// uses shorter words, and leaves out what doesn't fit; nothing reaches out of the band. Where the margin is
 /// smaller than a pen's width and a descender need, it keeps away from the sheet's edge nevertheless.
-[[nodiscard]] Group furniture(const Paper& paper, std::string_view title, int page, int page_count,
-                              const LineKinds& used, const LineKinds& anywhere);
+[[nodiscard]] Group furniture(const Paper& paper, const Drawing& page, const LineKinds& used,
+                              const LineKinds& anywhere);
 
 /// The words at the foot of a page's back: of which page it is.
-[[nodiscard]] Group foot_of_back(const Paper& paper, std::string_view title, int page, int page_count);
+[[nodiscard]] Group foot_of_back(const Paper& paper, const Drawing& page);
 
 /// Takes numbers, names and their leaders off the fronts of a page's pieces, but for what stands on tabs, and
 /// gives them as they are seen on the back of the sheet when it is turned over: each at the same place of the

@@ -102,24 +102,25 @@ void add_glue_outline(const GlueOutline& glued, const Placement& placement, cons
   piece.spots.push_back(std::move(spot));
 }
 
-void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
-                     const PieceContents& contents, const Placement& placement, PieceDrawing& drawing) {
+void add_tab_shadows(const PieceOnPage& piece, PieceDrawing& drawing) {
+  const mesh::Surface& surface = piece.surface();
+  const unfold::Nets& nets = piece.nets;
   const auto has_second = [&](const unfold::Join& join) {
-    return std::ranges::any_of(contents.tabs, [&](TabId tab) {
+    return std::ranges::any_of(piece.contents.tabs, [&](TabId tab) {
       return nets.tabs[tab].side == surface.twin(nets.tabs[join.tab].side);
     });
   };
-  for (const JoinId id : contents.joins) {
+  for (const JoinId id : piece.contents.joins) {
     const unfold::Join& join = nets.joins[id];
     if (!join.tab.valid()) {
       continue;
     }
     const unfold::Tab& tab = nets.tabs[join.tab];
-    if (tab.slit || nets.piece[mesh::face_of(surface.twin(tab.side))] != piece || has_second(join)) {
+    if (tab.slit || nets.piece[mesh::face_of(surface.twin(tab.side))] != piece.piece || has_second(join)) {
       continue;
     }
     std::vector<Vec2> polygon = glued(surface, nets, tab);
-    std::ranges::transform(polygon, polygon.begin(), placement);
+    std::ranges::transform(polygon, polygon.begin(), piece.placement);
     for (std::size_t i = 1; i < polygon.size(); ++i) {
       for (const Segment2& part :
            beside_texts({polygon[i], polygon[(i + 1) % polygon.size()]}, drawing.group.texts)) {

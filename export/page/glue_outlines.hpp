@@ -20,7 +20,6 @@ void add_glue_outline(const GlueOutline& glued, const Placement& placement, cons
 /// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
 /// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side
 /// have none, since these are glued to each other. O(joins x texts of the piece).
-void add_tab_shadows(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
-                     const PieceContents& contents, const Placement& placement, PieceDrawing& drawing);
+void add_tab_shadows(const PieceOnPage& piece, PieceDrawing& drawing);
 
 }  // namespace ridgecraft::export_

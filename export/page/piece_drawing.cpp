@@ -27,14 +27,13 @@ constexpr double same_fold_end_mm = 1e-4;
 
 class PieceDrawer {
  public:
-  PieceDrawer(const prepare::Prepared& model, const unfold::Nets& nets, PieceId piece,
-              const PieceContents& contents, const Placement& placement, const Style& style)
-      : model_(model),
-        surface_(model.model.surface),
-        nets_(nets),
-        piece_(piece),
-        contents_(contents),
-        place_(placement),
+  PieceDrawer(const PieceOnPage& at, const Style& style)
+      : at_(at),
+        surface_(at.surface()),
+        nets_(at.nets),
+        piece_(at.piece),
+        contents_(at.contents),
+        place_(at.placement),
         style_(style) {}
 
   PieceDrawing draw() {
@@ -50,7 +49,7 @@ class PieceDrawer {
   }
 
  private:
-  [[nodiscard]] Vec2 corner(CornerId c) const { return place_(nets_.flat[mesh::face_of(c)][c.value() % 3]); }
+  [[nodiscard]] Vec2 corner(CornerId c) const { return at_.corner(c); }
   [[nodiscard]] Segment2 side(CornerId c) const { return {corner(c), corner(mesh::next(c))}; }
   [[nodiscard]] Fold fold_of(EdgeId edge) const {
     const double angle = surface_.fold_angle(edge);
@@ -128,7 +127,7 @@ class PieceDrawer {
   }
 
   [[nodiscard]] bool within_panel(CornerId c) const {
-    const auto& panel = model_.panels.panel;
+    const auto& panel = at_.model.panels.panel;
     return !panel.empty() && panel[mesh::face_of(c)] == panel[surface_.neighbor(c)];
   }
 
@@ -255,7 +254,7 @@ class PieceDrawer {
     }
   }
 
-  const prepare::Prepared& model_;
+  const PieceOnPage& at_;
   const mesh::Surface& surface_;
   const unfold::Nets& nets_;
   PieceId piece_;
@@ -295,9 +294,8 @@ IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, co
   return contents;
 }
 
-PieceDrawing piece_drawing(const prepare::Prepared& model, const unfold::Nets& nets, PieceId piece,
-                           const PieceContents& contents, const Placement& placement, const Style& style) {
-  return PieceDrawer(model, nets, piece, contents, placement, style).draw();
+PieceDrawing piece_drawing(const PieceOnPage& piece, const Style& style) {
+  return PieceDrawer(piece, style).draw();
 }
 
 }  // namespace ridgecraft::export_

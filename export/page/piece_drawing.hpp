@@ -63,9 +63,21 @@ struct PieceContents {
 [[nodiscard]] IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface,
                                                               const unfold::Nets& nets);
 
+/// A piece at its place. Not copied: all that it names must outlive it.
+struct PieceOnPage {
+  const prepare::Prepared& model;
+  const unfold::Nets& nets;
+  PieceId piece;
+  const PieceContents& contents;
+  const Placement& placement;
+
+  [[nodiscard]] const mesh::Surface& surface() const { return model.model.surface; }
+  [[nodiscard]] Vec2 corner(CornerId c) const {
+    return placement(nets.flat[mesh::face_of(c)][c.value() % 3]);
+  }
+};
+
 /// Everything of a piece but its texts, in page coordinates. No stretch of line is drawn twice.
-[[nodiscard]] PieceDrawing piece_drawing(const prepare::Prepared& model, const unfold::Nets& nets,
-                                         PieceId piece, const PieceContents& contents,
-                                         const Placement& placement, const Style& style);
+[[nodiscard]] PieceDrawing piece_drawing(const PieceOnPage& piece, const Style& style);
 
 }  // namespace ridgecraft::export_

@@ -158,19 +158,26 @@ std::optional<Vec2> roomiest(const PieceDrawing& piece, const std::vector<Site>&
   return best;
 }
 
-bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<Site>& sites, double smallest,
-                  std::size_t notes, std::span<const double> directions = angles) {
+/// How a name may stand.
+struct NameForm {
+  double smallest = 0.0;  ///< height, mm
+  std::size_t notes = 0;  ///< so many of the piece's notes stand below it
+  std::span<const double> directions = angles;
+};
+
+bool place_inside(PieceDrawing& piece, Obstacles& obstacles, const std::vector<Site>& sites,
+                  const NameForm& form) {
   // Parallel to the page first, unless that would make the name small.
   for (const bool level : {true, false}) {
     for (const double height : heights) {
-      if (height < smallest || (level && height < level_height)) {
+      if (height < form.smallest || (level && height < level_height)) {
         break;
       }
-      for (const double angle : directions) {
+      for (const double angle : form.directions) {
         if (level && angle != 0.0) {
           break;
         }
-        const std::vector<Text> texts = label(piece, height, angle, notes);
+        const std::vector<Text> texts = label(piece, height, angle, form.notes);
         if (const auto centre = roomiest(piece, sites, texts, obstacles)) {
           put(piece, obstacles, moved(texts, *centre));
           return true;
@@ -307,15 +314,15 @@ bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, boo
   const std::size_t notes = piece.notes.size();
   if (hurried) {
     const auto level = std::span(angles).first(1);
-    return place_inside(piece, obstacles, sites, 0.0, notes, level) ||
-           (notes > 0 && place_inside(piece, obstacles, sites, 0.0, 0, level));
+    return place_inside(piece, obstacles, sites, {0.0, notes, level}) ||
+           (notes > 0 && place_inside(piece, obstacles, sites, {0.0, 0, level}));
   }
-  if (place_inside(piece, obstacles, sites, readable_height, notes)) {
+  if (place_inside(piece, obstacles, sites, {readable_height, notes})) {
     return true;
   }
   // Numbers tell where a piece belongs; a piece without any has nothing but its notes.
   for (std::size_t fewer = notes; fewer-- > 0 && !piece.seams.empty();) {
-    if (place_inside(piece, obstacles, sites, readable_height, fewer)) {
+    if (place_inside(piece, obstacles, sites, {readable_height, fewer})) {
       return true;
     }
   }
@@ -325,8 +332,8 @@ bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area, boo
       return true;
     }
   }
-  return place_inside(piece, obstacles, sites, 0.0, notes) ||
-         (notes > 0 && place_inside(piece, obstacles, sites, 0.0, 0));
+  return place_inside(piece, obstacles, sites, {0.0, notes}) ||
+         (notes > 0 && place_inside(piece, obstacles, sites, {0.0, 0}));
 }
 
 namespace {

@@ -325,21 +325,20 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& polygon, Vec2 at, Vec2 normal
   return kept.size() < 3 ? std::vector<Vec2>() : kept;
 }
 
-std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& nets, PieceId piece,
-                           const PieceContents& contents, const Placement& placement,
-                           const std::vector<PieceDrawing>& page, std::size_t own) {
-  const auto on_page = [&](CornerId c) { return placement(nets.flat[mesh::face_of(c)][c.value() % 3]); };
+std::vector<Cell> cells_of(const PieceOnPage& piece, const std::vector<PieceDrawing>& page, std::size_t own) {
+  const mesh::Surface& surface = piece.surface();
+  const unfold::Nets& nets = piece.nets;
   std::map<CornerId, std::vector<const unfold::Tab*>> tabs_at;
-  for (const TabId id : contents.tabs) {
+  for (const TabId id : piece.contents.tabs) {
     tabs_at[nets.tabs[id].side].push_back(&nets.tabs[id]);
   }
   const RimMaker rims(page, own);
   std::vector<Cell> faces;
   std::vector<Cell> rest;
-  for (const FaceId f : nets.pieces[piece].faces) {
+  for (const FaceId f : nets.pieces[piece.piece].faces) {
     Cell face{CellKind::face, {}, f, {}, {}};
     for (unsigned k = 0; k < 3; ++k) {
-      face.at[k] = on_page(mesh::corner(f, k));
+      face.at[k] = piece.corner(mesh::corner(f, k));
     }
     face.polygon.assign(face.at.begin(), face.at.end());
     for (unsigned k = 0; k < 3; ++k) {
@@ -347,7 +346,7 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
       if (nets.use[surface.edge(side)] == unfold::EdgeUse::fold) {
         continue;
       }
-      const Segment2 edge{on_page(side), on_page(mesh::next(side))};
+      const Segment2 edge{piece.corner(side), piece.corner(mesh::next(side))};
       const auto add_rim = [&](const Segment2& cut) {
         for (std::vector<Vec2>& strip : rims.beyond(cut)) {
           rest.push_back({CellKind::bleed, std::move(strip), f, face.at, {}});
@@ -358,11 +357,11 @@ std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& net
         add_rim(edge);  // a tab at a border is covered by nothing: the face's own colours reach onto it
         continue;
       }
-      for (const Segment2& bare : bare_of_tabs(edge, tabs->second, placement)) {
+      for (const Segment2& bare : bare_of_tabs(edge, tabs->second, piece.placement)) {
         add_rim(bare);
       }
       for (const unfold::Tab* tab : tabs->second) {
-        rest.push_back(strip_on(*tab, edge, surface, nets, placement));
+        rest.push_back(strip_on(*tab, edge, surface, nets, piece.placement));
       }
     }
     faces.push_back(std::move(face));

@@ -41,9 +41,7 @@ struct Cell {
 
 /// Of a piece. `page` are all pieces of its page with their outlines, `own` is the place of this one among
 /// them: the rim ends half-way to other outlines. O(cut edges of the piece x lines of the page).
-[[nodiscard]] std::vector<Cell> cells_of(const mesh::Surface& surface, const unfold::Nets& nets,
-                                         PieceId piece, const PieceContents& contents,
-                                         const Placement& placement, const std::vector<PieceDrawing>& page,
+[[nodiscard]] std::vector<Cell> cells_of(const PieceOnPage& piece, const std::vector<PieceDrawing>& page,
                                          std::size_t own);
 
 }  // namespace ridgecraft::export_

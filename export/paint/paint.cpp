@@ -258,23 +258,21 @@ class PiecePainter {
 
 }  // namespace
 
-std::shared_ptr<const DrawnPictures> paint_pieces(const prepare::Prepared& model, const unfold::Nets& nets,
-                                                  const IdVector<PieceId, PieceContents>& contents,
-                                                  const Pages& layout, const Style& style,
-                                                  const std::vector<std::vector<PieceId>>& ids,
+std::shared_ptr<const DrawnPictures> paint_pieces(const PaintTask& task,
                                                   std::vector<std::vector<PieceDrawing>>& pages,
                                                   const DrawnPictures* before, const Context& context) {
+  const prepare::Prepared& model = task.model;
+  const Style& style = task.style;
   if (!model.look || style.ink == Ink::lines) {
     return nullptr;
   }
   if (before != nullptr && !before->fit(model.look, style)) {
     before = nullptr;
   }
-  const mesh::Surface& surface = model.model.surface;
   const DrawnPictures::Colours found = before != nullptr
                                            ? before->colours()
                                            : std::make_shared<const IdVector<FaceId, FaceColours>>(
-                                                 face_colours(surface, *model.look, context));
+                                                 face_colours(model.model.surface, *model.look, context));
   const IdVector<FaceId, FaceColours>& colours = *found;
   auto drawn = std::make_shared<DrawnPictures>(model.look, found, style);
   for (std::size_t page = 0; page < pages.size(); ++page) {
@@ -282,8 +280,9 @@ std::shared_ptr<const DrawnPictures> paint_pieces(const prepare::Prepared& model
     std::vector<std::vector<Cell>> cells(pages[page].size());
     do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {
       own.check();
-      const PieceId piece = ids[page][i];
-      cells[i] = cells_of(surface, nets, piece, contents[piece], layout.placements[piece], pages[page], i);
+      const PieceId piece = task.ids[page][i];
+      cells[i] = cells_of({model, task.nets, piece, task.contents[piece], task.layout.placements[piece]},
+                          pages[page], i);
     });
     std::vector<std::optional<DrawnPictures::OfPiece>> pictures(cells.size());
     do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {

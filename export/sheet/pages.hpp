@@ -103,6 +103,12 @@ struct DrawReport {
 [[nodiscard]] std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
                                                     const Pages& pages);
 
+/// What decides where pieces may lie, beside their shapes; nothing is said of any where a list is empty.
+struct LayoutRules {
+  IdVector<PieceId, std::uint32_t> sort = {};    ///< those of different sorts never share a page
+  IdVector<PieceId, Vec2> fold_directions = {};  ///< as fold_directions(): kept where paper has a grain
+};
+
 /// Whether pieces are to lie with their folds along the paper's grain.
 [[nodiscard]] inline bool follows_grain(const Paper& paper, const IdVector<PieceId, Vec2>& fold_directions) {
   return paper.grain != Grain::any && !fold_directions.empty();

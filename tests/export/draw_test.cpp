@@ -253,7 +253,7 @@ TEST_CASE("furniture stays in its band on every paper") {
       for (const std::string title : {"Fox", "A name that is longer than the page is wide, whatever the page",
                                       "狐狐狐狐狐狐狐狐狐狐"}) {
         const export_::Group group =
-            export_::furniture(sheet, title, 12, 345, {true, true, true, true, true, true},
+            export_::furniture(sheet, {{}, title, 12, 345, {}, {}}, {true, true, true, true, true, true},
                                {true, true, true, true, true, true});
         Box2 box;
         bool bar = false;

@@ -112,8 +112,9 @@ void check_contract(const std::string& name, const std::string& fold) {
 
 std::string write(const prepare::Prepared& model, const unfold::Nets& nets,
                   const export_::Pages* pages = nullptr) {
-  return export_::write_fold(model, one_part(model.model.surface), nets,
-                             export_::assembly_order(model.model.surface, nets), pages, model_mark);
+  return export_::write_fold(
+      {model, one_part(model.model.surface), nets, export_::assembly_order(model.model.surface, nets), pages},
+      model_mark);
 }
 
 }  // namespace
@@ -286,7 +287,7 @@ TEST_CASE("several parts: pieces name theirs, faces theirs", "[fold]") {
     part[f] = PartId(std::abs(surface.normal(f).z) > 0.5 ? 3 : 1);
   }
   const unfold::Nets whole = test::simple_nets(surface, {}, part);
-  const std::string fold = export_::write_fold(model, part, whole, {}, nullptr, model_mark);
+  const std::string fold = export_::write_fold({model, part, whole, {}}, model_mark);
   check_contract("piece of two parts", fold);
   const json file = json::parse(fold);
   CHECK(file["ridgecraft:pieces"][0]["part"].is_null());
@@ -309,8 +310,8 @@ TEST_CASE("titles of any bytes make valid JSON", "[fold]") {
   const prepare::Prepared model = prepared(test::tetrahedron(), 40.0);
   export_::Mark odd = model_mark;
   odd.title = "a\xFF\"b\\";
-  const std::string fold = export_::write_fold(model, one_part(model.model.surface),
-                                               test::simple_nets(model.model.surface), {}, nullptr, odd);
+  const std::string fold = export_::write_fold(
+      {model, one_part(model.model.surface), test::simple_nets(model.model.surface), {}}, odd);
   CHECK(json::parse(fold)["file_title"] == "a\xEF\xBF\xBD\"b\\");
 }
 

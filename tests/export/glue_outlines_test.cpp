@@ -49,9 +49,10 @@ double area_of(const export_::GlueOutline& glued) {
 
 std::string fold_of(const test::SamplePages& sample, const export_::DrawReport& report) {
   const IdVector<FaceId, PartId> part(sample.model.model.surface.face_count(), PartId(0));
-  return export_::write_fold(sample.model, part, sample.nets,
-                             export_::assembly_order(sample.model.model.surface, sample.nets), &sample.pages,
-                             {"another program 1", "Boxes", "0123456789abcdef", {}}, report.glue_outlines);
+  return export_::write_fold(
+      {sample.model, part, sample.nets, export_::assembly_order(sample.model.model.surface, sample.nets),
+       &sample.pages, report.glue_outlines},
+      {"another program 1", "Boxes", "0123456789abcdef", {}});
 }
 
 }  // namespace

@@ -46,9 +46,14 @@ Drawn draw(const Surface& surface, double scale, bool every_panel_a_piece = true
   drawn.assembly = export_::assembly_order(drawn.sample.model.model.surface, drawn.sample.nets);
   Context context;
   context.threads = threads;
-  drawn.guide = export_::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
-                                    drawn.sample.pages.count, {},
-                                    export_::stance_of(drawn.sample.model.model), {}, context);
+  drawn.guide = export_::draw_guide({drawn.sample.model,
+                                     drawn.sample.nets,
+                                     drawn.sample.pages,
+                                     drawn.assembly,
+                                     drawn.sample.pages.count,
+                                     {},
+                                     export_::stance_of(drawn.sample.model.model)},
+                                    {}, context);
   return drawn;
 }
 
@@ -193,9 +198,14 @@ TEST_CASE("the cover shows the model in its own colours, unless lines are all th
   const auto hues_on_cover = [&](export_::Ink ink) {
     export_::Style style;
     style.ink = ink;
-    const export_::Guide guide =
-        export_::draw_guide(drawn.sample.model, drawn.sample.nets, drawn.sample.pages, drawn.assembly,
-                            drawn.sample.pages.count, {}, {}, style, {});
+    const export_::Guide guide = export_::draw_guide({drawn.sample.model,
+                                                      drawn.sample.nets,
+                                                      drawn.sample.pages,
+                                                      drawn.assembly,
+                                                      drawn.sample.pages.count,
+                                                      {},
+                                                      {}},
+                                                     style, {});
     std::set<char> found;
     const auto add = [&](int red, int green) {
       found.insert(red > 2 * green ? 'r' : green > 2 * red ? 'g' : '-');

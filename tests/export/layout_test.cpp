@@ -265,7 +265,7 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
     export_::Paper sheet;
     sheet.size = size;
     sheet.grain = grain;
-    const auto pages = export_::layout(pieces.nets(), sheet, {}, {}, lines);
+    const auto pages = export_::layout(pieces.nets(), sheet, {}, {{}, lines});
     check_promises(pieces.nets(), pages);
     const bool upright = (size.y > size.x) == (grain == export_::Grain::long_side);
     for (const PieceId piece : ids<PieceId>(14)) {
@@ -280,7 +280,7 @@ TEST_CASE("folds run along the paper's grain wherever a piece fits so", "[layout
           (grain == export_::Grain::long_side ? std::vector<PieceId>{strip} : std::vector<PieceId>{}));
     // Not heeded, the same as without directions.
     sheet.grain = export_::Grain::any;
-    const auto with = export_::layout(pieces.nets(), sheet, {}, {}, lines);
+    const auto with = export_::layout(pieces.nets(), sheet, {}, {{}, lines});
     CHECK(export_::pieces_off_grain(lines, with).empty());
     const auto without = export_::layout(pieces.nets(), sheet, {});
     for (const PieceId piece : ids<PieceId>(15)) {

@@ -150,8 +150,8 @@ TEST_CASE("every number of every edge stands somewhere, or needs no place", "[nu
       std::set<std::uint32_t> closing;
       const auto contents = export_::piece_contents(sample.model.model.surface, sample.nets);
       for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
-        closing.merge(zipped(export_::piece_drawing(sample.model, sample.nets, piece, contents[piece],
-                                                    sample.pages.placements[piece], {})));
+        closing.merge(zipped(export_::piece_drawing(
+            {sample.model, sample.nets, piece, contents[piece], sample.pages.placements[piece]}, {})));
       }
       for (const unfold::Join& join : sample.nets.joins) {
         CAPTURE(join.number);
@@ -179,7 +179,7 @@ TEST_CASE("numbers follow each other clockwise on the printed side", "[number_li
   const auto contents = export_::piece_contents(sample.model.model.surface, sample.nets);
   for (const PieceId piece : ids<PieceId>(sample.nets.pieces.size())) {
     const export_::PieceDrawing drawing = export_::piece_drawing(
-        sample.model, sample.nets, piece, contents[piece], sample.pages.placements[piece], {});
+        {sample.model, sample.nets, piece, contents[piece], sample.pages.placements[piece]}, {});
     REQUIRE(drawing.rims.size() == 1);
     const auto& rim = drawing.rims[0];
     REQUIRE(rim.size() == drawing.seams.size());

@@ -211,7 +211,7 @@ TEST_CASE("furniture lies on the sheet without a margin, pens and tails of lette
       export_::Paper sheet = export_::parse_paper(name);
       sheet.margin = margin;
       const export_::Group group =
-          export_::furniture(sheet, "gypsy jaguar", 3, 10, {true, true, true, true, true, true},
+          export_::furniture(sheet, {{}, "gypsy jaguar", 3, 10, {}, {}}, {true, true, true, true, true, true},
                              {true, true, true, true, true, true});
       Box2 box;
       for (const auto& text : group.texts) {

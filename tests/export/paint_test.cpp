@@ -168,7 +168,7 @@ TEST_CASE("Something near one place of an edge takes its colours beyond the cut 
   page[1].group.lines.push_back(
       {Layer::cut, {tip, tip + 20.0 * out + 5.0 * along, tip + 20.0 * out - 5.0 * along}, true});
   const auto contents = export_::piece_contents(surface, sample.nets);
-  const auto cells = export_::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+  const auto cells = export_::cells_of({sample.model, sample.nets, piece, contents[piece], place}, page, 0);
   const auto is_coloured = [&](double at, double beyond) {
     return std::ranges::any_of(cells, [&](const export_::Cell& cell) {
       return cell.kind == export_::CellKind::bleed && inside(cell.polygon, a + at * along + beyond * out);
@@ -209,7 +209,7 @@ TEST_CASE("A short line that meets an edge's end takes its colours beyond the cu
     std::vector<export_::PieceDrawing> page(1);
     page[0].group.lines.push_back({Layer::cut, outline, true});
     page[0].group.lines.push_back({Layer::cut, {corner, corner + 10.0 * along + 0.5 * out}, false});
-    const auto cells = export_::cells_of(surface, sample.nets, piece, contents[piece], place, page, 0);
+    const auto cells = export_::cells_of({sample.model, sample.nets, piece, contents[piece], place}, page, 0);
     const auto is_coloured = [&](double at, double beyond) {
       return std::ranges::any_of(cells, [&](const export_::Cell& cell) {
         return cell.kind == export_::CellKind::bleed &&
@@ -242,7 +242,7 @@ TEST_CASE("Where a tab is shorter than its edge, colours reach beyond the rest o
   const PieceId piece = sample.nets.piece[face];
   const export_::Placement& place = sample.pages.placements[piece];
   const auto contents = export_::piece_contents(sample.model.model.surface, sample.nets);
-  const auto cells = export_::cells_of(sample.model.model.surface, sample.nets, piece, contents[piece], place,
+  const auto cells = export_::cells_of({sample.model, sample.nets, piece, contents[piece], place},
                                        std::vector<export_::PieceDrawing>(1), 0);
   const Vec2 out = perpendicular(base) / length(base);  // a tab runs against the clock, from its base
   for (const auto& [share, kind] : {std::pair{0.05, export_::CellKind::bleed},
