@@ -7,7 +7,6 @@
 #include <iterator>
 #include <map>
 #include <numbers>
-#include <set>
 #include <utility>
 #include <vector>
 

@@ -2,13 +2,11 @@
 #include "export/machine/thick_nets.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 

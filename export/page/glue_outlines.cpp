@@ -2,9 +2,7 @@
 #include "export/page/glue_outlines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 

@@ -3,7 +3,6 @@
 // simplified.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 // Promise 0: bytes become a File, or a reason why they can't. The schema checks each value by itself; what
 // has to hold between values is checked here.
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <set>
 #include <utility>

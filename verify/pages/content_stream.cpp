@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The content of PDF pages as lines (ISO 32000-1, sections 7.2, 7.8 and 8).
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <span>

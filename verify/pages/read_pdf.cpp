@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF pages: qpdf finds the objects, content_stream.cpp says what they draw.
 #include <algorithm>
-#include <map>
 #include <string_view>
 #include <utility>
 
