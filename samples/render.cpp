@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// render_segmentation MODEL PICTURE.png --show ridges|valleys|regions|parts: what the segmentation sees of a
-// model, for the documentation. All but the parts are of the first cut of the largest component.
+// render MODEL PICTURE.png [--show model|ridges|valleys|regions|parts]: a flat shaded picture of a model, or
+// of what the segmentation sees of it, for the documentation. Ridges, valleys and regions are of the first
+// cut of the largest component.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -12,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "prepare/prepared/options.hpp"
 #include "samples/picture.hpp"
 #include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
@@ -32,7 +35,7 @@ constexpr Vec3 valley_colour{0.1, 0.25, 0.75};
 struct Arguments {
   std::string model;
   std::string picture;
-  std::string show;
+  std::string show = "model";
   double concavity = 0.1;
   double azimuth = 35.0;
   double elevation = 20.0;
@@ -72,6 +75,50 @@ mesh::Surface divided(const mesh::Surface& surface) {
     }
   }
   return {std::move(points), std::move(corners)};
+}
+
+/// Folds below this are flat regions, radians: they get no line, as on paper.
+constexpr double faint_fold = prepare::hidden_fold_angle;
+constexpr std::uint32_t no_region = std::numeric_limits<std::uint32_t>::max();
+
+/// The flat region of each face, named by its smallest face; regions end where the material changes.
+std::vector<std::uint32_t> flat_regions(const mesh::Model& model) {
+  const mesh::Surface& surface = model.surface;
+  std::vector<std::uint32_t> region(surface.face_count(), no_region);
+  const auto material = [&model](FaceId f) { return model.material.empty() ? 0U : model.material[f]; };
+  for (const FaceId first : ids<FaceId>(surface.face_count())) {
+    std::vector<FaceId> open;
+    if (region[first.value()] == no_region) {
+      region[first.value()] = first.value();
+      open.push_back(first);
+    }
+    while (!open.empty()) {
+      const FaceId f = open.back();
+      open.pop_back();
+      for (unsigned k = 0; k < 3; ++k) {
+        const CornerId side = mesh::corner(f, k);
+        const FaceId g = surface.neighbor(side);
+        if (g.valid() && region[g.value()] == no_region && material(f) == material(g) &&
+            std::abs(surface.fold_angle(surface.edge(side))) < faint_fold) {
+          region[g.value()] = first.value();
+          open.push_back(g);
+        }
+      }
+    }
+  }
+  return region;
+}
+
+std::vector<Vec3> colours_of(const mesh::Model& model) {
+  std::vector<Vec3> all;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    mesh::Colour colour = {0.82, 0.84, 0.88};
+    if (!model.material.empty() && model.material[f] != mesh::Soup::none) {
+      colour = model.materials[model.material[f]].colour.value_or(colour);
+    }
+    all.push_back({colour[0], colour[1], colour[2]});
+  }
+  return all;
 }
 
 /// The first cut of the largest component, taken apart.
@@ -197,6 +244,10 @@ bool draw(const Arguments& arguments) {
   }
   samples::Picture picture(surface, samples::view_from(arguments.azimuth, arguments.elevation),
                            arguments.pixels);
+  if (arguments.show == "model") {
+    picture.paint(colours_of(model), flat_regions(model));
+    return picture.write_png(arguments.picture);
+  }
   if (arguments.show == "parts") {
     segment::Options options;
     options.concavity = arguments.concavity;
@@ -219,7 +270,7 @@ bool draw(const Arguments& arguments) {
 }
 
 bool parse(int argc, char** argv, Arguments& arguments) {
-  if (argc < 5 || argc % 2 == 0) {
+  if (argc < 3 || argc % 2 == 0) {
     return false;
   }
   arguments.model = argv[1];
@@ -243,7 +294,7 @@ bool parse(int argc, char** argv, Arguments& arguments) {
       return false;
     }
   }
-  const std::vector<std::string> shown{"ridges", "valleys", "regions", "parts"};
+  const std::vector<std::string> shown{"model", "ridges", "valleys", "regions", "parts"};
   return std::find(shown.begin(), shown.end(), arguments.show) != shown.end();
 }
 
@@ -253,18 +304,18 @@ int main(int argc, char** argv) {
   Arguments arguments;
   if (!parse(argc, argv, arguments)) {
     std::fputs(
-        "usage: render_segmentation MODEL PICTURE.png --show ridges|valleys|regions|parts [--concavity T] "
+        "usage: render MODEL PICTURE.png [--show model|ridges|valleys|regions|parts] [--concavity T] "
         "[--azimuth DEGREES] [--elevation DEGREES] [--pixels N] [--divide TIMES]\n",
         stderr);
     return 2;
   }
   try {
     if (!draw(arguments)) {
-      std::fprintf(stderr, "render_segmentation: can't write %s\n", arguments.picture.c_str());
+      std::fprintf(stderr, "render: can't write %s\n", arguments.picture.c_str());
       return 1;
     }
   } catch (const Error& error) {
-    std::fprintf(stderr, "render_segmentation: %s\n", error.what());
+    std::fprintf(stderr, "render: %s\n", error.what());
     return 1;
   }
   return 0;
