@@ -238,16 +238,17 @@ void draw_valleys(samples::Picture& picture, const mesh::Surface& surface, First
 
 bool draw(const Arguments& arguments) {
   const mesh::Model model = mesh::read(arguments.model, {}, {});
+  const samples::View view = samples::view_from(arguments.azimuth, arguments.elevation);
+  if (arguments.show == "model") {
+    samples::Picture picture(model.surface, view, arguments.pixels);
+    picture.paint(colours_of(model), flat_regions(model));
+    return picture.write_png(arguments.picture);
+  }
   mesh::Surface surface = model.surface;
   for (int i = 0; i < arguments.divide; ++i) {
     surface = divided(surface);
   }
-  samples::Picture picture(surface, samples::view_from(arguments.azimuth, arguments.elevation),
-                           arguments.pixels);
-  if (arguments.show == "model") {
-    picture.paint(colours_of(model), flat_regions(model));
-    return picture.write_png(arguments.picture);
-  }
+  samples::Picture picture(surface, view, arguments.pixels);
   if (arguments.show == "parts") {
     segment::Options options;
     options.concavity = arguments.concavity;

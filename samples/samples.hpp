@@ -125,7 +125,6 @@ Grid revolve(Shape& shape, const std::vector<Vec2>& profile, int steps, Index ma
 [[nodiscard]] Shape heart();
 [[nodiscard]] Shape house();
 [[nodiscard]] Shape lighthouse();
-// solids.cpp
 [[nodiscard]] Shape gem();
 [[nodiscard]] Shape star();
 [[nodiscard]] Shape packaging_box();  ///< the only one with a border
