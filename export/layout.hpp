@@ -18,7 +18,7 @@ namespace ridgecraft::export_ {
 inline constexpr double gap_rounding_mm = 1e-6;
 
 /// All pieces with their tabs, each in the plane of its net; those of one part belong together. Where the
-/// paper's grain is to be heeded they keep to turns in which their folds run along it.
+/// paper has a grain they keep to turns in which their folds run along it.
 [[nodiscard]] PackingTask packing_task(const unfold::Nets& nets, const Paper& paper,
                                        const IdVector<PieceId, Vec2>& fold_directions = {});
 

@@ -22,7 +22,7 @@ namespace ridgecraft::export_ {
 enum class Hold : std::uint8_t {
   changed,  ///< it looks otherwise than it did there, and goes elsewhere where it has no room
   lying,    ///< it lay there, and stays
-  laid,     ///< somebody has laid it there, and nothing else will do
+  laid,     ///< the user has laid it there, and nothing else will do
 };
 
 /// Where a piece is to lie. Pages may be skipped, and come in the order of their numbers.
@@ -55,8 +55,8 @@ struct NoPlace {
 
 /// The place nearest to where the piece is held, in steps of about a millimetre, where it lies on the sheet
 /// and keeps the paper's gap to all others, which lie as `pages` has them. It stays on its page, which may be
-/// one behind the last, and turned as it is. None within `reach_mm`. What belongs on a page together isn't
-/// heeded. O(n) and, for each place that is tried, the pairs of faces and tabs that may come near each other.
+/// one behind the last, and turned as it is. None within `reach_mm`. Sorts don't matter. O(n) and, for each
+/// place that is tried, the pairs of faces and tabs that may come near each other.
 [[nodiscard]] std::optional<Placement> nearest_place(const unfold::Nets& nets, const Pages& pages,
                                                      PieceId piece, const Placement& held, double reach_mm);
 

@@ -245,7 +245,7 @@ constexpr double seam_rounding_mm = 1e-6;
 
 constexpr std::uint32_t no_kind = std::numeric_limits<std::uint32_t>::max();
 
-/// How easily a piece is put on when nobody reaches behind it any more.
+/// How easily a piece is put on when no hand reaches behind it.
 double ease_of_closing(const SeamGraph::Node& node) {
   const double width = 2.0 * node.area_mm2 / (node.seam_mm + node.own_mm);
   const double edge = node.seam_mm / static_cast<double>(node.joins);
@@ -275,7 +275,7 @@ bool hold_without(const SeamGraph& graph, const std::vector<PieceId>& group, Pie
   return count + 1 == group.size();
 }
 
-/// Of each piece the share of its area that looks down; 0 where nobody says what is up.
+/// Of each piece the share of its area that looks down; 0 where it is unknown what is up.
 IdVector<PieceId, double> undersides(const mesh::Surface& surface, const unfold::Nets& nets, Vec3 up) {
   IdVector<PieceId, double> down(nets.pieces.size(), 0.0);
   IdVector<PieceId, double> all(nets.pieces.size(), 0.0);

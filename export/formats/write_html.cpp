@@ -60,7 +60,7 @@ class SheetsWriter {
   }
 
  private:
-  static bool is_told(Layer layer) {
+  static bool is_written(Layer layer) {
     return layer == Layer::label || layer == Layer::mark || layer == Layer::piece_name ||
            layer == Layer::shadow || layer == Layer::glue;
   }
@@ -101,10 +101,10 @@ class SheetsWriter {
     json_.raw("{\"id\":");
     json_.string(group.id);
     const auto all = [](const auto&) { return true; };
-    const auto told = [](const auto& item) { return is_told(item.layer); };
-    members("texts", group.texts, told, [&](const Text& text) { write_text(text); });
-    members("lines", group.lines, told, [&](const Line& line) { write_line(line); });
-    members("areas", group.areas, told, [&](const Area& area) { write_area(area); });
+    const auto written = [](const auto& item) { return is_written(item.layer); };
+    members("texts", group.texts, written, [&](const Text& text) { write_text(text); });
+    members("lines", group.lines, written, [&](const Line& line) { write_line(line); });
+    members("areas", group.areas, written, [&](const Area& area) { write_area(area); });
     members("ground", group.ground, all, [&](const Fill& fill) { write_fill(fill); });
     members("images", group.images, all, [&](const Image& image) { write_image(image); });
     members("fills", group.fills, all, [&](const Fill& fill) { write_fill(fill); });

@@ -159,7 +159,7 @@ std::vector<std::size_t> with_more_sides(std::vector<std::size_t> drawn) {
   return drawn;
 }
 
-/// How the pictures share the page. All are of one size, so that nobody takes them for different models.
+/// How the pictures share the page. All are of one size: they show one model.
 struct Arrangement {
   std::size_t columns = 1;
   Vec2 cell;           ///< of one picture with its names and the words below

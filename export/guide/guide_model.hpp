@@ -55,7 +55,7 @@ struct GuideModel {
   bool in_colour = false;  ///< the finished model is shown in its own colours
   std::string title;
   GuideSheet sheet;
-  Stance stance;  ///< as the model stands, which its size is told by
+  Stance stance;  ///< as the model stands: its width, depth and height
   Stance shown;   ///< the same turned to the side that the first page shows
   Effort effort;
   Scene scene;                         ///< all pieces

@@ -44,7 +44,7 @@ constexpr std::size_t side_pixels = 96;
 constexpr std::size_t name_pixels = 200;
 /// The side of the step before is kept as long as it shows this share of what the best side does.
 constexpr double good_enough = 0.6;
-/// What is seen from below counts less: nobody holds a model so.
+/// What is seen from below counts less: models aren't held so.
 constexpr double below_share = 0.6;
 /// An addition that is smaller than this share of what stands is shown with its surroundings only ...
 constexpr double small_share = 0.3;
@@ -53,7 +53,7 @@ constexpr double surroundings = 3.2;
 /// Beyond this many faces in all pictures of steps, each shows only what is added and what that is glued to.
 constexpr std::size_t most_faces_drawn = 100'000;
 
-/// Of what is added nobody sees that it is glued to a piece of which less than this share of it is seen.
+/// A piece of which less than this share is seen doesn't show what is glued to it.
 constexpr double sliver_share = 0.02;
 /// Lines end on faces where these have so much room round them.
 constexpr double least_room_mm = 1.0;
@@ -486,15 +486,15 @@ class StepPages {
   [[nodiscard]] double column_beside(std::size_t index) const {
     constexpr double line = 4.0;
     double width = 0.0;
-    const auto heed = [&](PieceId piece, std::string_view around) {
+    const auto widen = [&](PieceId piece, std::string_view around) {
       width = std::max(width, text_width(guide_.nets->pieces[piece].name + std::string(around),
                                          name_share * grid_.words_height));
     };
     for (const PieceId piece : steps_[index].pieces) {
-      heed(piece, "");
+      widen(piece, "");
     }
     for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
-      heed(piece, "()");
+      widen(piece, "()");
     }
     return std::min(width + line, grid_.column_width);
   }

@@ -242,7 +242,7 @@ std::size_t last_step(const Assembly& assembly, std::span<const PieceId> pieces)
   return last;
 }
 
-/// Bodies that stand on others, told when they are whole and what they stand on is there: "Glue A and B onto
+/// Bodies that stand on others, as soon as they are whole and what they stand on is there: "Glue A and B onto
 /// C, D onto E and F, within the dashed lines."
 void add_glue_outlines(const unfold::Nets& nets, const Assembly& assembly, std::size_t index,
                        std::span<const Body> bodies, std::vector<std::string>& sentences) {

@@ -63,7 +63,7 @@ struct Path {
   bool closed = false;       ///< outlines, counterclockwise, and holes, clockwise
 };
 
-/// What a machine can do, and wants to be told.
+/// What a machine can do, and how.
 struct PathRules {
   bool engraves = true;           ///< numbers and names are there
   Scores scores = Scores::solid;  ///< what is done at folds

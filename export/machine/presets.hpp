@@ -25,7 +25,7 @@ struct SpotNames {
 /// Which DXF.
 enum class DxfKind {
   r2000,  ///< release 2000: millimetres stand in the file
-  r12,    ///< release 12, for older machines: a unit can't be told
+  r12,    ///< release 12, for older machines: it holds no unit
   plain,  ///< release 12, single lines on layer 0
 };
 

@@ -41,7 +41,7 @@ constexpr double most_of_height = 1.0 / 3.0;
 constexpr double farthest_corner = 3.0;
 /// A tab keeps so much of its height.
 constexpr double least_of_tab = 0.4;
-/// Paper that lies on paper, mm2: more than rounding, less than anybody sees.
+/// Paper that lies on paper, mm2: more than rounding, less than is seen.
 constexpr double overlap_mm2 = 0.02;
 
 double thickness_along(double t, double angle) {

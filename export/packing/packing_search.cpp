@@ -257,7 +257,7 @@ bool PackingFill::move(Arrangement& a, std::uint32_t shape, std::uint32_t page) 
   if (!place) {
     return false;
   }
-  // The bitmap of the page that it leaves still shows it; nobody asks for more room there.
+  // The bitmap of the page that it leaves still shows it; no more room is looked for there.
   a.used[a.places[shape].page] -= task_->shapes[shape].area;
   place->page = page;
   put(a, shape, *place);

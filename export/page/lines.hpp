@@ -120,7 +120,7 @@ struct Stretch {
   return part_where(polygon, [&](Vec2 p) { return box.high.y - p.y; });
 }
 
-/// Whole lines that aren't longer are left out, mm: nobody sees them, and what they touch is drawn.
+/// Whole lines that aren't longer are left out, mm: they aren't seen, and what they touch is drawn.
 inline constexpr double crumb_mm = 0.02;
 /// Corners nearer to each other become one where the line hardly changes by it, mm.
 inline constexpr double near_corners_mm = 0.05;

@@ -159,7 +159,7 @@ class ListPlacer {
     if (texts_.size() > 1) {
       place_rest(*space, unplaced);
     } else if (unplaced.unmarked.empty()) {
-      unplaced = {};  // where all pieces lie on one page, anybody sees where an edge goes on
+      unplaced = {};  // where all pieces lie on one page, it is seen where an edge goes on
     }
     return std::move(texts_);
   }

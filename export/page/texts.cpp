@@ -347,7 +347,7 @@ constexpr std::array after_names{NumberPlace::further_inside};
 /// These for numbers that don't stand on a tab either.
 constexpr std::array with_leaders{NumberPlace::leader_inside, NumberPlace::leader_outside};
 
-/// Whether nobody misses the number.
+/// Whether the number can be left out (closes_by_itself()).
 bool needs_none(const Wanted& wanted) {
   const PieceDrawing& piece = *wanted.piece;
   const auto own = static_cast<std::size_t>(wanted.seam - piece.seams.data());

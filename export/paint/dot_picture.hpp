@@ -43,7 +43,7 @@ class DotRaster {
     to[2] = colour[2];
   }
 
-  /// Dots that nobody sees take their neighbour's colour within the square that JPEG packs at a time, so that
+  /// Dots that aren't seen take their neighbour's colour within the square that JPEG packs at a time, so that
   /// borders leave no traces beside them; squares without any other are of one colour, that of a square
   /// beside them, which takes no room.
   void fill_up();

@@ -99,7 +99,7 @@ struct DrawReport {
 [[nodiscard]] IdVector<PieceId, Vec2> fold_directions(const mesh::Surface& surface, const unfold::Nets& nets);
 
 /// Pieces whose folds don't run along the grain of their sheet, within 15 degrees: those that fit it no other
-/// way. None where the paper's grain isn't to be heeded. O(pieces).
+/// way. None where the paper has no grain. O(pieces).
 [[nodiscard]] std::vector<PieceId> pieces_off_grain(const IdVector<PieceId, Vec2>& directions,
                                                     const Pages& pages);
 

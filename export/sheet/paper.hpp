@@ -24,7 +24,7 @@ enum class PackingEffort {
 
 /// Which way the paper's fibres run. Folds and rolls along them come out clean; across them paper cracks.
 enum class Grain {
-  any,         ///< not heeded
+  any,         ///< it doesn't matter
   long_side,   ///< along the sheet's long side, as of most paper that is sold cut
   short_side,  ///< along its short side
 };

@@ -69,10 +69,10 @@ TEST_CASE("what the program says of its files is so, whatever it was asked for",
 }
 
 TEST_CASE("kind 1: settings that nobody knows, or that no option takes", "[statements]") {
-  check_found("which nobody knows", [](Json& json) { settings(json)["colour"] = "red"; });
-  check_found("which nobody knows", [](Json& json) { settings(json)["weigh_"] = 1; });
-  check_found("which nobody knows", [](Json& json) { settings(json)["weigh_seam2"] = 1; });
-  check_found("which nobody knows", [](Json& json) { settings(json)["searched_colour"] = "red"; });
+  check_found("unknown setting", [](Json& json) { settings(json)["colour"] = "red"; });
+  check_found("unknown setting", [](Json& json) { settings(json)["weigh_"] = 1; });
+  check_found("unknown setting", [](Json& json) { settings(json)["weigh_seam2"] = 1; });
+  check_found("unknown setting", [](Json& json) { settings(json)["searched_colour"] = "red"; });
   check_found("no option takes", [](Json& json) { settings(json)["searched_seed"] = "many"; });
   std::size_t weights = 0;
   for (const auto& [key, value] : house().at("ridgecraft:settings").items()) {

@@ -211,7 +211,7 @@ std::vector<std::string> faults_of_settings(const Settings& settings) {
     const Known* const known =
         find_known(std::string_view(name).substr(earlier ? searched_prefix.size() : 0));
     if (known == nullptr) {
-      faults.push_back(fmt::format("the settings have {}, which nobody knows", quote(name)));
+      faults.push_back(fmt::format("unknown setting {}", quote(name)));
       continue;
     }
     if (!known->fits(value, known->row)) {
@@ -302,19 +302,19 @@ class Contradictions {
       boxes.push_back(bounding_box(line.ends));
     }
     const BoxFinder tree(boxes);
-    std::set<std::pair<Index, Index>> told;
+    std::set<std::pair<Index, Index>> close;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       given_.context.check();
       const Vec2 reach{gap, gap};
       tree.for_each_overlapping({boxes[i].low - reach, boxes[i].high + reach}, [&](std::size_t k) {
         const auto pair = std::minmax(lines[i].piece, lines[k].piece);
         if (pair.first != pair.second && file_.pieces[pair.first].page == file_.pieces[pair.second].page &&
-            !told.contains(pair) && apart(lines[i].ends, lines[k].ends) < gap) {
-          told.insert(pair);
+            !close.contains(pair) && apart(lines[i].ends, lines[k].ends) < gap) {
+          close.insert(pair);
         }
       });
     }
-    for (const auto& [one, other] : told) {
+    for (const auto& [one, other] : close) {
       add("{} and {} are less than {:.6g} mm apart, which the settings ask for", piece_name(file_, one),
           piece_name(file_, other), gap + gap_tolerance_mm);
     }

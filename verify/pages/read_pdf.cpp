@@ -194,7 +194,7 @@ class PageReader {
 /// What guides say that they are about.
 constexpr std::string_view guide_subject = "guide";
 
-/// Titles of the layers that aren't printed unless somebody switches them on.
+/// Titles of the layers that aren't printed unless they are switched on.
 std::vector<std::string> layers_off(QPDF& pdf) {
   std::vector<std::string> titles;
   QPDFObjectHandle properties = pdf.getRoot().getKey("/OCProperties");
