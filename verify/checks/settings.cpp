@@ -115,18 +115,18 @@ bool is_weight(const Setting& value, const Option* row) {
   return is_number(value, row->low, row->high);
 }
 
-constexpr char united[] = "united";
-constexpr char apart[] = "apart";
+constexpr char united_word[] = "united";
+constexpr char apart_word[] = "apart";
 
 /// Those of options, and those that no option gives.
 const std::map<std::string_view, Known>& known_settings() {
   static const std::map<std::string_view, Known> all = [] {
     std::map<std::string_view, Known> known{
-        {"bodies", {Needed::never, is_word<united>}},    {"standing", {Needed::never, is_word<apart>}},
-        {"tabs", {Needed::always, is_yes_or_no}},        {"tab_heights", {Needed::never, is_text}},
-        {"tab_angles", {Needed::never, is_text}},        {"judged_at_mm", {Needed::never, is_length}},
-        {"mm_per_unit", {Needed::never, is_scale}},      {"edits", {Needed::never, is_text}},
-        {"paper_mm", {Needed::with_pages, is_sheet}},    {"gap_mm", {Needed::with_pages, is_length}},
+        {"bodies", {Needed::never, is_word<united_word>}}, {"standing", {Needed::never, is_word<apart_word>}},
+        {"tabs", {Needed::always, is_yes_or_no}},          {"tab_heights", {Needed::never, is_text}},
+        {"tab_angles", {Needed::never, is_text}},          {"judged_at_mm", {Needed::never, is_length}},
+        {"mm_per_unit", {Needed::never, is_scale}},        {"edits", {Needed::never, is_text}},
+        {"paper_mm", {Needed::with_pages, is_sheet}},      {"gap_mm", {Needed::with_pages, is_length}},
         {"whole", {Needed::without_pages, is_yes_or_no}}};
     for (const Option& row : option_table()) {
       if (row.setting == weight_prefix) {
