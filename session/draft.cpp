@@ -209,7 +209,7 @@ Draft::Draft(const job::Paper& made, const State& before, const Context& context
       surface_(made.prepared.model.surface),
       before_(before),
       context_(without_deadline(context)),
-      options_(job::unfold_options(made.options, made.prepared, made.requests)),
+      options_(job::unfold_options(made.options, made.prepared, made.constraints)),
       labels_(job::page_labels(made.prepared.model, made.options.page_by)),
       pinned_(before.pinned) {}
 
