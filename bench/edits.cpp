@@ -202,8 +202,8 @@ class Times {
       return "-";
     }
     std::sort(seconds_.begin(), seconds_.end());
-    const auto at = [&](double share) {
-      return 1000.0 * seconds_[static_cast<std::size_t>(share * static_cast<double>(seconds_.size() - 1))];
+    const auto at = [&](double fraction) {
+      return 1000.0 * seconds_[static_cast<std::size_t>(fraction * static_cast<double>(seconds_.size() - 1))];
     };
     return fmt::format("{:.0f} / {:.0f} ms", at(0.5), at(0.95));
   }

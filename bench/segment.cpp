@@ -271,11 +271,11 @@ struct Arguments {
 };
 
 /// The surface with each face removed at a probability: the paper's figure 15.
-mesh::Surface damaged(const mesh::Surface& whole, double share) {
+mesh::Surface damaged(const mesh::Surface& whole, double fraction) {
   Random random(1);
   std::vector<std::array<VertexId, 3>> corners;
   for (const FaceId f : ids<FaceId>(whole.face_count())) {
-    if (random.unit() >= share) {
+    if (random.unit() >= fraction) {
       corners.push_back(whole.vertices(f));
     }
   }
@@ -288,8 +288,8 @@ struct Sum {
   void add(std::uint32_t label) { value = Random(value ^ label).next(); }
 };
 
-Figures run_damaged(const bench::BenchmarkModel& model, double share, const segment::Options& options) {
-  const mesh::Surface surface = damaged(model.read.surface, share);
+Figures run_damaged(const bench::BenchmarkModel& model, double fraction, const segment::Options& options) {
+  const mesh::Surface surface = damaged(model.read.surface, fraction);
   const double start = bench::cpu_seconds();
   const segment::Segmentation result = segment::segment(surface, {}, options, Context{});
   Figures row;

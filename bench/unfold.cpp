@@ -246,12 +246,12 @@ void add(const Row& from, Row& to) {
 }
 
 /// The value below which this share of the values lies; 0 when there are none.
-double quantile(std::vector<double> values, double share) {
+double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) {
     return 0.0;
   }
   std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values[static_cast<std::size_t>(fraction * static_cast<double>(values.size() - 1))];
 }
 
 namespace fs = std::filesystem;

@@ -237,7 +237,7 @@ Pages layout(const Nets& nets, const Paper& paper, const Context& context, const
 
 std::optional<double> scale_that_saves_a_page(const Nets& nets, const Pages& pages, const Context& context) {
   // The smallest first: where it doesn't do, the others needn't be tried.
-  constexpr std::array<double, 3> shares{0.87, 0.9, 0.93};
+  constexpr std::array<double, 3> fractions{0.87, 0.9, 0.93};
   /// Pieces are tried so many times as large as they would be: at another size others come out, and less
   /// fits.
   constexpr double reserve = 1.04;
@@ -253,15 +253,15 @@ std::optional<double> scale_that_saves_a_page(const Nets& nets, const Pages& pag
     used += shape.area;
   }
   const Vec2 area = task.area;
-  for (const double share : shares) {
+  for (const double fraction : fractions) {
     // Smaller pieces on this paper are these pieces on larger paper.
-    task.area = area / (reserve * share);
-    task.gap = pages.paper.gap / (reserve * share);
+    task.area = area / (reserve * fraction);
+    task.gap = pages.paper.gap / (reserve * fraction);
     const double room = static_cast<double>(pages.count - 1) * task.area.x * task.area.y;
     if (used > densest * room || context.out_of_time() || rough_page_count(task, context) >= pages.count) {
       return best;
     }
-    best = share;
+    best = fraction;
   }
   return best;
 }

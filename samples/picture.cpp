@@ -168,8 +168,8 @@ void Picture::paint(std::span<const Vec3> colours, std::span<const std::uint32_t
   }
   unsigned char* data = cairo_image_surface_get_data(image_->surface.get());
   const int stride = cairo_image_surface_get_stride(image_->surface.get());
-  const auto byte = [](double share) {
-    return static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  const auto byte = [](double fraction) {
+    return static_cast<std::uint32_t>(std::lround(255.0 * std::clamp(fraction, 0.0, 1.0)));
   };
   cairo_surface_flush(image_->surface.get());
   for (int y = 0; y < pixels_; ++y) {

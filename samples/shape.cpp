@@ -278,7 +278,7 @@ std::string point_line(Vec3 p) {
 }
 
 std::string colour_bytes(Vec3 colour) {
-  const auto byte = [](double share) { return static_cast<int>(std::lround(255.0 * share)); };
+  const auto byte = [](double fraction) { return static_cast<int>(std::lround(255.0 * fraction)); };
   return fmt::format("{} {} {}", byte(colour.x), byte(colour.y), byte(colour.z));
 }
 

@@ -485,9 +485,9 @@ void add(Shape& shape, const Flap& flap, Index material) {
   const Vec3 along = normalized(flap.b - flap.a);
   const Vec3 way_a = flap.depth * flap.out + flap.taper * along;
   const Vec3 way_b = flap.depth * flap.out - flap.taper * along;
-  const double share = 1.0 - flap.bevel / flap.depth;
-  shape.face({flap.a, flap.b, flap.b + share * way_b, flap.b + way_b - flap.bevel * along,
-              flap.a + way_a + flap.bevel * along, flap.a + share * way_a},
+  const double fraction = 1.0 - flap.bevel / flap.depth;
+  shape.face({flap.a, flap.b, flap.b + fraction * way_b, flap.b + way_b - flap.bevel * along,
+              flap.a + way_a + flap.bevel * along, flap.a + fraction * way_a},
              material);
 }
 

@@ -232,7 +232,7 @@ constexpr std::size_t fewest_with_closer = 3;
 /// What an opening has to be wide for two fingers, mm.
 constexpr double two_fingers_mm = 30.0;
 /// Equal pieces come together when their seam with what stands is this share of the first one's.
-constexpr double mate_share = 0.7;
+constexpr double mate_fraction = 0.7;
 /// ... and when they have no more than this share of it between each other.
 constexpr double most_between_mates = 0.5;
 /// A piece is the underside where this share of it looks down, by no less than half of the way.
@@ -442,7 +442,7 @@ class Builder {
         return graph_.seam_between(piece, other) <= most_between_mates * standing_mm_[piece];
       };
       if (piece != next && kind_[piece] == kind_[next] && kind_[piece] != no_kind &&
-          standing_mm_[piece] >= mate_share * standing_mm_[next] &&
+          standing_mm_[piece] >= mate_fraction * standing_mm_[next] &&
           std::all_of(pieces.begin(), pieces.end(), far_from)) {
         pieces.push_back(piece);
       }

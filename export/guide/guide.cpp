@@ -72,7 +72,7 @@ SideView look_at_pieces(const GuideModel& guide, const Viewpoint& side) {
 }
 
 /// The share of what is seen of a that b doesn't show at the same place or on a pixel beside it.
-double unlike_share(const SideView& a, const SideView& b) {
+double unlike_fraction(const SideView& a, const SideView& b) {
   const auto piece_at = [](const SideView& view, std::size_t x, std::size_t y) {
     const std::size_t i = y * view.columns + x;
     return x < view.columns && i < view.pixels.size() ? view.pixels[i] : PieceId{};
@@ -96,7 +96,7 @@ double unlike_share(const SideView& a, const SideView& b) {
 
 /// Whether a reader sees the same pieces at the same places.
 bool look_alike(const SideView& a, const SideView& b) {
-  return std::max(unlike_share(a, b), unlike_share(b, a)) <= most_unlike;
+  return std::max(unlike_fraction(a, b), unlike_fraction(b, a)) <= most_unlike;
 }
 
 /// Which sides are drawn: four from above, but for those that look like an earlier one, and from below those
@@ -169,10 +169,10 @@ struct Arrangement {
 /// With names `names` wide on both sides, as large as so many columns allow.
 Arrangement arranged(std::size_t columns, const std::vector<Vec2>& sizes, Vec2 room, double names) {
   const std::size_t rows = (sizes.size() + columns - 1) / columns;
-  const auto share = [](double length, std::size_t count) {
+  const auto fraction = [](double length, std::size_t count) {
     return (length - (static_cast<double>(count) - 1.0) * gap_mm) / static_cast<double>(count);
   };
-  Arrangement result{columns, {share(room.x, columns), share(room.y, rows)}, INFINITY};
+  Arrangement result{columns, {fraction(room.x, columns), fraction(room.y, rows)}, INFINITY};
   const Vec2 frame = result.cell - Vec2{2.0 * names, caption_height_mm + caption_gap_mm};
   for (const Vec2 size : sizes) {
     result.scale =

@@ -70,22 +70,25 @@ IdVector<PieceId, Color> piece_hues(const mesh::Surface& surface, const unfold::
 FaceLight::FaceLight(Vec3 normal, const Camera& camera, double depth) {
   const Vec3 light = normalized(0.75 * camera.toward + 0.6 * camera.up - 0.45 * camera.right);
   const double lit = std::max(0.0, dot(normal, light));
-  share_ = 1.0 - depth + depth * lit;
+  fraction_ = 1.0 - depth + depth * lit;
   // The brightest faces are a little lighter than the hue.
   lighter_ = 0.35 * depth * lit * lit;
 }
 
 Color FaceLight::on(Color hue) const {
   const Color lighter = mixed(hue, {0xff, 0xff, 0xff}, lighter_);
-  return {channel(share_ * lighter.red), channel(share_ * lighter.green), channel(share_ * lighter.blue)};
+  return {channel(fraction_ * lighter.red), channel(fraction_ * lighter.green),
+          channel(fraction_ * lighter.blue)};
 }
 
 Color shaded(Color hue, Vec3 normal, const Camera& camera, double depth) {
   return FaceLight(normal, camera, depth).on(hue);
 }
 
-Color mixed(Color a, Color b, double share) {
-  const auto mix = [share](std::uint8_t x, std::uint8_t y) { return channel((1.0 - share) * x + share * y); };
+Color mixed(Color a, Color b, double fraction) {
+  const auto mix = [fraction](std::uint8_t x, std::uint8_t y) {
+    return channel((1.0 - fraction) * x + fraction * y);
+  };
   return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 

@@ -39,15 +39,15 @@ class FaceLight {
   [[nodiscard]] Color on(Color hue) const;
 
  private:
-  double share_;    ///< of the hue that is left
-  double lighter_;  ///< how much of it becomes white
+  double fraction_;  ///< of the hue that is left
+  double lighter_;   ///< how much of it becomes white
 };
 
 /// A hue in the light on one face.
 [[nodiscard]] Color shaded(Color hue, Vec3 normal, const Camera& camera, double depth);
 
 /// Between two colours, all of b at share 1.
-[[nodiscard]] Color mixed(Color a, Color b, double share);
+[[nodiscard]] Color mixed(Color a, Color b, double fraction);
 
 /// How the faces and edges of a piece are drawn.
 struct PieceLook {

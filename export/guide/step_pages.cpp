@@ -37,24 +37,24 @@ constexpr std::array<StepGrid, 3> grids{{{36, 2, 3, 5.0, 2.1, 21.0, 9.0, 7},
                                          {120, 3, 4, 4.0, 1.8, 15.0, 7.0, 6},
                                          {static_cast<std::size_t>(-1), 4, 5, 3.2, 1.6, 10.0, 5.5, 5}}};
 constexpr double cell_gap = 7.0;
-constexpr double row_step_share = 1.65;  ///< of the words' height
-constexpr double name_share = 1.1;       ///< height of names beside the picture, of the words'
+constexpr double row_step_fraction = 1.65;  ///< of the words' height
+constexpr double name_fraction = 1.1;       ///< height of names beside the picture, of the words'
 
 constexpr std::size_t side_pixels = 96;
 constexpr std::size_t name_pixels = 200;
 /// The side of the step before is kept as long as it shows this share of what the best side does.
 constexpr double good_enough = 0.6;
 /// What is seen from below counts less: models aren't held so.
-constexpr double below_share = 0.6;
+constexpr double below_fraction = 0.6;
 /// An addition that is smaller than this share of what stands is shown with its surroundings only ...
-constexpr double small_share = 0.3;
+constexpr double small_fraction = 0.3;
 /// ... so many times as wide as itself.
 constexpr double surroundings = 3.2;
 /// Beyond this many faces in all pictures of steps, each shows only what is added and what that is glued to.
 constexpr std::size_t most_faces_drawn = 100'000;
 
 /// A piece of which less than this share is seen doesn't show what is glued to it.
-constexpr double sliver_share = 0.02;
+constexpr double sliver_fraction = 0.02;
 /// Lines end on faces where these have so much room round them.
 constexpr double least_room_mm = 1.0;
 
@@ -200,7 +200,7 @@ class StepPages {
         // All of several pieces are to be seen: two halves are worth more than one whole.
         sum += std::sqrt(areas[piece.value()]);
       }
-      shows.push_back(side.elevation < 0.0 ? below_share * sum : sum);
+      shows.push_back(side.elevation < 0.0 ? below_fraction * sum : sum);
     }
     const auto best = static_cast<std::size_t>(std::max_element(shows.begin(), shows.end()) - shows.begin());
     return shows[before] >= good_enough * shows[best] ? before : best;
@@ -243,7 +243,7 @@ class StepPages {
       added += areas[piece.value()];
     }
     std::erase_if(behind, [&](PieceId piece) {
-      return areas[piece.value()] > (is_new(index, piece) ? 0.0 : sliver_share * added);
+      return areas[piece.value()] > (is_new(index, piece) ? 0.0 : sliver_fraction * added);
     });
     return behind;
   }
@@ -320,10 +320,10 @@ class StepPages {
       const bool ended = rows[rows.size() - 2].ends_with('.');
       rows.back() = ended ? "And all other equal numbers." : "and all other equal numbers.";
     }
-    double y = box.low.y + row_step_share * height * static_cast<double>(rows.size());
+    double y = box.low.y + row_step_fraction * height * static_cast<double>(rows.size());
     const double top = y + 2.5;
     for (const std::string& row : rows) {
-      y -= row_step_share * height;
+      y -= row_step_fraction * height;
       group.texts.push_back(words_from(row, {box.low.x, y + 0.4 * height}, height));
     }
     return top;
@@ -488,7 +488,7 @@ class StepPages {
     double width = 0.0;
     const auto widen = [&](PieceId piece, std::string_view around) {
       width = std::max(width, text_width(guide_.nets->pieces[piece].name + std::string(around),
-                                         name_share * grid_.words_height));
+                                         name_fraction * grid_.words_height));
     };
     for (const PieceId piece : steps_[index].pieces) {
       widen(piece, "");
@@ -508,7 +508,7 @@ class StepPages {
     }
     const Box2 own = seen_box(scene_with(step.scene, *guide_.nets, added), step.camera);
     const double extent = std::max(own.size().x, own.size().y);
-    if (own.empty() || extent >= small_share * std::max(all.size().x, all.size().y)) {
+    if (own.empty() || extent >= small_fraction * std::max(all.size().x, all.size().y)) {
       return std::nullopt;
     }
     const Vec2 shape = frame.size() / std::max(frame.size().x, frame.size().y);
@@ -571,7 +571,7 @@ class StepPages {
       }
     }
     CalloutColumns columns{picture.box, picture.frame.low.x - 1.5, picture.frame.high.x + 1.5,
-                           name_share * grid_.words_height};
+                           name_fraction * grid_.words_height};
     columns.box.high.y -= 1.0;
     add_callouts(callouts, columns, group);
   }

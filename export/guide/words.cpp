@@ -42,7 +42,7 @@ Text words_to(std::string_view words, Vec2 at, double height, Weight weight) {
 
 namespace {
 
-constexpr double row_share = 1.55;      ///< distance of rows, of the height of the words
+constexpr double row_fraction = 1.55;   ///< distance of rows, of the height of the words
 constexpr double word_clearance = 1.0;  ///< between words and their line, mm
 constexpr Pen leader_pen{0.1, {0x55, 0x55, 0x55}};
 constexpr double dot_radius = 0.45;  ///< mm
@@ -117,7 +117,7 @@ void add_column(Column column, const CalloutColumns& columns, Group& group) {
   }
   const double half = 0.5 * columns.height;
   const std::vector<double> heights =
-      spread(wanted, row_share * columns.height, columns.box.low.y + half, columns.box.high.y - half);
+      spread(wanted, row_fraction * columns.height, columns.box.low.y + half, columns.box.high.y - half);
   const double edge = column.left ? columns.left_edge : columns.right_edge;
   const auto end = [&](std::size_t i) {
     return Vec2{edge + (column.left ? word_clearance : -word_clearance), heights[i]};
@@ -150,7 +150,8 @@ void add_column(Column column, const CalloutColumns& columns, Group& group) {
 
 std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColumns& columns, Group& group) {
   const double room = columns.box.size().y;
-  const auto most = static_cast<std::size_t>(std::max(0.0, std::floor(room / (row_share * columns.height))));
+  const auto most =
+      static_cast<std::size_t>(std::max(0.0, std::floor(room / (row_fraction * columns.height))));
   Column left{{}, true};
   Column right{{}, false};
   const double middle = 0.5 * (columns.left_edge + columns.right_edge);
@@ -356,7 +357,7 @@ void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, cons
 }
 
 /// Of two pieces one is on the left where they are farther apart than this share of the model.
-constexpr double least_apart_share = 0.03;
+constexpr double least_apart_fraction = 0.03;
 
 }  // namespace
 
@@ -443,7 +444,7 @@ std::string words_of_sides(const mesh::Surface& surface, const unfold::Nets& net
     return 0.5 * (box.low.x + box.high.x);
   };
   const double apart = middle(pair.image) - middle(pair.piece);
-  if (std::abs(apart) < least_apart_share * surface.bounds().largest_extent()) {
+  if (std::abs(apart) < least_apart_fraction * surface.bounds().largest_extent()) {
     return {};
   }
   const std::string& name = nets.pieces[pair.piece].name;

@@ -340,8 +340,8 @@ class GapLines {
     }
     std::vector<Vec2> points{from};
     for (int i = 1; i < steps; ++i) {
-      const double share = static_cast<double>(i) / steps;
-      Vec2 p = from + share * (to - from);
+      const double fraction = static_cast<double>(i) / steps;
+      Vec2 p = from + fraction * (to - from);
       if (edge.is_curved()) {
         // As far from the point as from the line.
         const Source& focus = one.point ? one : two;
@@ -399,8 +399,8 @@ class GapLines {
       const bool was = room[i - 1] < distance_;
       const bool is = room[i] < distance_;
       if (was != is) {
-        const double share = (distance_ - room[i - 1]) / (room[i] - room[i - 1]);
-        const Vec2 at = points[i - 1] + share * (points[i] - points[i - 1]);
+        const double fraction = (distance_ - room[i - 1]) / (room[i] - room[i - 1]);
+        const Vec2 at = points[i - 1] + fraction * (points[i] - points[i - 1]);
         if (was) {
           stretch.points.push_back(at);
           close(new_exit());

@@ -116,8 +116,8 @@ std::vector<Place> places_on(const std::vector<Vec2>& outline, const std::vector
       const double count = std::floor(room / bridge_step_mm) + 1.0;
       const bool favoured = on_area(a, b, areas, within_mm);
       for (double k = 0.0; k < count; k += 1.0) {
-        const double share = count > 1.0 ? k / (count - 1.0) : 0.5;
-        places.push_back({passed + 0.5 * (side - room) + share * room, favoured});
+        const double fraction = count > 1.0 ? k / (count - 1.0) : 0.5;
+        places.push_back({passed + 0.5 * (side - room) + fraction * room, favoured});
       }
     }
     passed += side;
@@ -140,14 +140,14 @@ std::vector<std::vector<Vec2>> with_bridges(const std::vector<Vec2>& outline,
   std::vector<Vec2> round = outline;
   round.push_back(outline.front());
   const double whole = length_of(round);
-  const double share = whole / rules.count;
-  // Each bridge where it is nearest to its even place; a favoured place may be half a share farther off.
+  const double spacing = whole / rules.count;
+  // Each bridge where it is nearest to its even place; a favoured place may be half of that farther off.
   std::vector<double> bridges;
   for (int i = 0; i < rules.count && !places.empty(); ++i) {
-    const double wanted = (i + 0.5) * share;
+    const double wanted = (i + 0.5) * spacing;
     const auto cost = [&](const Place& place) {
       const double off = std::abs(place.at - wanted);
-      return std::min(off, whole - off) + (place.favoured ? 0.0 : 0.5 * share);
+      return std::min(off, whole - off) + (place.favoured ? 0.0 : 0.5 * spacing);
     };
     const auto best = std::ranges::min_element(places, {}, cost);
     bridges.push_back(best->at);

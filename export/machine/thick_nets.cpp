@@ -320,13 +320,13 @@ class Thickener {
     for (const double left : {0.0, t, 2.0 * t}) {
       for (const double right : {0.0, t, 2.0 * t}) {
         for (const double cotangent : {0.0, 0.6, 1.0, 1.7}) {
-          for (const double share : {1.0, 0.7, 0.5}) {
+          for (const double fraction : {1.0, 0.7, 0.5}) {
             if (base - left - right < shortest_base_mm) {
               continue;
             }
             std::vector<Vec2> cut = kept(shape, {left, 0.0}, {1.0, -cotangent});
             cut = kept(cut, {base - right, 0.0}, {-1.0, -cotangent});
-            cut = kept(cut, {0.0, share * height}, {0.0, -1.0});
+            cut = kept(cut, {0.0, fraction * height}, {0.0, -1.0});
             if (auto polygon = on_base(cut)) {
               for (Vec2& p : *polygon) {
                 p = from + p.x * u + p.y * up;

@@ -308,8 +308,8 @@ std::size_t PackingSearch::splits(const Arrangement& a) const {
 PackingMerit PackingSearch::merit(const Arrangement& a) const {
   PackingMerit merit{a.used.size(), 0.0, splits(a), 0.0};
   for (const double used : a.used) {
-    const double share = used / fill_.page_area();
-    merit.exact_evenness += 1.0 - share * share;
+    const double fraction = used / fill_.page_area();
+    merit.exact_evenness += 1.0 - fraction * fraction;
   }
   merit.evenness = std::round(merit.exact_evenness / same_use);
   return merit;

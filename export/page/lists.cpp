@@ -64,8 +64,8 @@ class FreeSpace {
   [[nodiscard]] std::vector<Text> place(const std::vector<std::string>& paragraphs) {
     constexpr std::array widths{0.95, 0.62, 0.42, 0.28, 0.2, 0.16};  // shares of the printable width
     constexpr std::size_t most_rows = 40;  // a longer list would be a page of its own
-    for (const double share : widths) {
-      const std::vector<Text> column = column_of(paragraphs, share * area_.size().x);
+    for (const double fraction : widths) {
+      const std::vector<Text> column = column_of(paragraphs, fraction * area_.size().x);
       if (column.size() <= most_rows) {
         if (std::vector<Text> texts = lowest(column); !texts.empty()) {
           add(texts);

@@ -18,7 +18,7 @@ namespace ridgecraft::export_ {
 namespace {
 
 /// Places along an edge, shares of its length from its middle: there first, then to both sides in turn.
-constexpr std::array<double, 7> along_shares{0.0, 0.12, -0.12, 0.25, -0.25, 0.37, -0.37};
+constexpr std::array<double, 7> along_fractions{0.0, 0.12, -0.12, 0.25, -0.25, 0.37, -0.37};
 /// How far inside of its edge a number still stands by it, mm, beyond the least distance.
 constexpr std::array<double, 3> near_offsets{0.0, 0.5, 1.1};
 constexpr double first_offset = 1.8;    ///< where numbers further inside begin, mm: beyond the near ones
@@ -34,10 +34,10 @@ constexpr std::size_t leader_turns = 9;  ///< directions that a leader may take
 constexpr double leader_turn = 0.21;     ///< between neighbouring ones, radians: 48 degrees to both sides
 constexpr double leader_gap = 0.35;      ///< between a leader's end and its number's box, mm
 /// Where a leader may begin, shares of the edge's length from its middle.
-constexpr std::array<double, 3> leader_shares{0.0, 0.3, -0.3};
+constexpr std::array<double, 3> leader_fractions{0.0, 0.3, -0.3};
 /// Numbers keep this share of their height from lines, and at least so many mm: closer, a pen's line runs
 /// into them.
-constexpr double clearance_share = 0.17;
+constexpr double clearance_fraction = 0.17;
 constexpr double least_clearance = 0.32;
 /// More from the edge itself, mm: scissors follow it.
 constexpr double edge_clearance = 0.12;
@@ -45,7 +45,7 @@ constexpr double edge_clearance = 0.12;
 constexpr int height_steps = 4;
 
 double clearance_of(double height) {
-  return std::max(least_clearance, clearance_share * height);
+  return std::max(least_clearance, clearance_fraction * height);
 }
 
 std::vector<double> heights_between(double largest, double smallest) {
@@ -158,9 +158,9 @@ bool NumberPlacer::place_on_tab(PieceDrawing& piece, const Seam& seam) {
     centre += p / static_cast<double>(seam.tab.size());
   }
   for (const double height : heights_) {
-    for (const double share : along_shares) {
+    for (const double fraction : along_fractions) {
       Text text = number_text(seam, height, frame.angle);
-      text.centre = centre + share * frame.size * frame.along;
+      text.centre = centre + fraction * frame.size * frame.along;
       const TurnedBox box = box_of(text);
       text.centre += text.centre - box.centre;  // the box, underline included, stands in the middle
       const TurnedBox centred = box_of(text);
@@ -223,8 +223,8 @@ bool NumberPlacer::place_with_leader(const Wanted& wanted, Side side) {
   for (const double height : {heights_[1], heights_.back()}) {
     for (const double turned : {0.0, 0.5 * std::numbers::pi}) {
       const Text text = number_text(*wanted.seam, height, upright(frame.angle + turned));
-      for (const double share : leader_shares) {
-        if (lead_from(wanted, text, start + share * size * frame.along, frame, side)) {
+      for (const double fraction : leader_fractions) {
+        if (lead_from(wanted, text, start + fraction * size * frame.along, frame, side)) {
           return true;
         }
       }
@@ -253,8 +253,8 @@ std::optional<Text> NumberPlacer::with_partner(const Text& plain, const Placed& 
   const double growth = box_of(text).half_width - box_of(plain).half_width;
   const Vec2 baseline{elementary::cos(plain.angle), elementary::sin(plain.angle)};
   const Frame frame(placed.seam->edge);
-  for (const double share : {0.0, 0.5, -0.5, 1.0, -1.0}) {
-    text.centre = plain.centre + share * growth * baseline;
+  for (const double fraction : {0.0, 0.5, -0.5, 1.0, -1.0}) {
+    text.centre = plain.centre + fraction * growth * baseline;
     const TurnedBox box = box_of(text);
     const double reach = box.half_width * std::abs(dot(frame.along, box.along)) +
                          box.half_height * std::abs(dot(frame.along, perpendicular(box.along)));
@@ -292,8 +292,8 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
   const Vec2 out = frame.out(side);
   TurnedBox box = at_origin;
   double last = -1.0;
-  for (const double share : along_shares) {
-    const double shift = std::clamp(share * frame.size, -room, room);
+  for (const double fraction : along_fractions) {
+    const double shift = std::clamp(fraction * frame.size, -room, room);
     if (shift == last) {
       continue;
     }

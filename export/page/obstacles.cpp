@@ -14,7 +14,7 @@ namespace {
 constexpr double cell_mm = 6.0;  ///< about the size of a number with its surroundings
 /// Blank that a text keeps before and behind it, as a share of its height; two of them are wider than the
 /// blanks between the digits of either number.
-constexpr double blank_share = 0.22;
+constexpr double blank_fraction = 0.22;
 /// Words keep so many times as much away.
 constexpr double blanks_beside_words = 2.5;
 /// Half the distance of texts above each other, mm.
@@ -57,7 +57,7 @@ double spacing_height(const Text& text) {
 }
 
 TurnedBox with_spacing(TurnedBox box, double height) {
-  box.half_width += blank_share * height;
+  box.half_width += blank_fraction * height;
   box.half_height += half_line_gap;
   return box;
 }

@@ -159,7 +159,7 @@ constexpr double overhang_dots = 1.5;
 /// How far inside its face the place lies whose colour a rim takes, mm, and as a share of the way to the
 /// middle.
 constexpr double inside_mm = 0.8;
-constexpr double inside_share = 0.3;
+constexpr double inside_fraction = 0.3;
 /// JPEG has no longer sides.
 constexpr double longest_side = 65000.0;
 /// More dots in one picture take more than 200 MB: larger pictures are coarser.
@@ -183,8 +183,8 @@ std::array<double, 3> weights_inside(const Cell& cell, Vec2 on_page) {
   // Right on an edge the face beyond it is as near: a little inside it isn't.
   const Vec2 middle = (cell.at[0] + cell.at[1] + cell.at[2]) / 3.0;
   const double way = length(middle - nearest);
-  const double share = way > 0.0 ? std::min(inside_mm / way, inside_share) : 0.0;
-  return weights_at(cell.at, nearest + share * (middle - nearest));
+  const double fraction = way > 0.0 ? std::min(inside_mm / way, inside_fraction) : 0.0;
+  return weights_at(cell.at, nearest + fraction * (middle - nearest));
 }
 
 /// What lies beyond a face takes its weights from inside it.

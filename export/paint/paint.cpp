@@ -18,7 +18,7 @@ namespace ridgecraft::export_ {
 namespace {
 
 /// Of a pale colour, the share that is left of it; the rest is white.
-constexpr double pale_share = 0.35;
+constexpr double pale_fraction = 0.35;
 constexpr mesh::Rgb white_ground{255, 255, 255};
 /// The relative luminance (WCAG 2) on which black and the light tone are seen equally well: 4.2 : 1.
 constexpr double middle_light = 0.16;
@@ -37,7 +37,7 @@ constexpr double most_tone_steps = 60.0;
 Shade shade_of(Ink ink) {
   Shade shade{};
   for (std::size_t value = 0; value < shade.size(); ++value) {
-    const double left = ink == Ink::pale ? pale_share : 1.0;
+    const double left = ink == Ink::pale ? pale_fraction : 1.0;
     shade[value] =
         static_cast<std::uint8_t>(std::lround(255.0 - left * (255.0 - static_cast<double>(value))));
   }

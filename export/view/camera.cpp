@@ -24,21 +24,21 @@ Camera look_from(const Stance& stance, double azimuth, double elevation) {
 namespace {
 
 /// What a model stands on lies within this share of its height from the lowest point.
-constexpr double ground_share = 0.01;
+constexpr double ground_fraction = 0.01;
 /// Feet are what lies within this share of its height.
-constexpr double feet_share = 0.04;
+constexpr double feet_fraction = 0.04;
 /// Faces are level when their normal is up or down but for this (as a cosine).
 constexpr double level_cosine = 0.98;
 /// Flat ground tells more than feet: what lies has some, too.
 constexpr double flat_weight = 2.0;
 /// What doesn't stand lies or swims: along the longer one of two axes whose extents differ by this share.
-constexpr double longer_share = 0.75;
+constexpr double longer_fraction = 0.75;
 /// Standing shares that differ by less tell nothing.
 constexpr double better = 0.15;
 /// Modellers put the origin at the foot of what they make, in its middle: within this share of its height ...
-constexpr double foot_share = 0.1;
+constexpr double foot_fraction = 0.1;
 /// ... and no nearer to its sides than this share of its extents.
-constexpr double middle_share = 0.25;
+constexpr double middle_fraction = 0.25;
 /// Corners are mirrored where an image lies this near to one, as a share of the extent; so many are looked
 /// at.
 constexpr double same_corner = 1e-4;
@@ -56,14 +56,14 @@ double coordinate(Vec3 p, mesh::Axis axis) {
 /// How well a model stands, were this axis up: the area of its flat ground, less that of a flat top (walls
 /// have another one across from them, ground mostly hasn't), and the box round all that is near the ground
 /// (feet), both as shares of its footprint.
-double standing_share(const mesh::Surface& surface, mesh::Axis axis) {
+double standing_fraction(const mesh::Surface& surface, mesh::Axis axis) {
   const Box3& box = surface.bounds();
   const double bottom = coordinate(box.low, axis);
   const double height = coordinate(box.size(), axis);
-  const double near = ground_share * height;
+  const double near = ground_fraction * height;
   Box3 feet;
   for (const Vec3 p : surface.points()) {
-    if (coordinate(p, axis) <= bottom + feet_share * height) {
+    if (coordinate(p, axis) <= bottom + feet_fraction * height) {
       feet.add(p);
     }
   }
@@ -97,13 +97,13 @@ bool stands_at_origin(const mesh::Surface& surface, mesh::Axis axis) {
   return std::ranges::all_of(std::array{mesh::Axis::x, mesh::Axis::y, mesh::Axis::z}, [&](mesh::Axis a) {
     const double size = coordinate(box.size(), a);
     const double origin = size > 0.0 ? -coordinate(box.low, a) / size : 0.5;
-    return a == axis ? std::abs(origin) <= foot_share
-                     : origin >= middle_share && origin <= 1.0 - middle_share;
+    return a == axis ? std::abs(origin) <= foot_fraction
+                     : origin >= middle_fraction && origin <= 1.0 - middle_fraction;
   });
 }
 
 /// Of some corners the share whose mirror images across the middle of the box along an axis are corners, too.
-double mirrored_share(const mesh::Surface& surface, mesh::Axis axis) {
+double mirrored_fraction(const mesh::Surface& surface, mesh::Axis axis) {
   const Box3& box = surface.bounds();
   const double near = same_corner * box.largest_extent();
   if (near <= 0.0) {
@@ -148,12 +148,12 @@ double mirrored_share(const mesh::Surface& surface, mesh::Axis axis) {
 bool is_left_and_right(const mesh::Surface& surface, mesh::Axis axis) {
   const Vec3 size = surface.bounds().size();
   const double other = axis == mesh::Axis::y ? std::min(size.x, size.z) : std::min(size.x, size.y);
-  if (coordinate(size, axis) < longer_share * other) {
+  if (coordinate(size, axis) < longer_fraction * other) {
     return false;
   }
   for (const mesh::Axis a : {mesh::Axis::x, mesh::Axis::y, mesh::Axis::z}) {
-    const double share = mirrored_share(surface, a);
-    if (a == axis ? share < sides_alike : share > sides_unlike) {
+    const double fraction = mirrored_fraction(surface, a);
+    if (a == axis ? fraction < sides_alike : fraction > sides_unlike) {
       return false;
     }
   }
@@ -182,8 +182,8 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
   }
   const mesh::Axis usual = usual_up(model.format);
   const mesh::Axis other = usual == mesh::Axis::y ? mesh::Axis::z : mesh::Axis::y;
-  const double on_usual = standing_share(model.surface, usual);
-  const double on_other = standing_share(model.surface, other);
+  const double on_usual = standing_fraction(model.surface, usual);
+  const double on_other = standing_fraction(model.surface, other);
   if (on_other > on_usual + much_better) {
     return other;
   }
@@ -201,7 +201,7 @@ mesh::Axis up_axis_of(const mesh::Model& model) {
     }
   }
   const Vec3 size = model.surface.bounds().size();
-  if (std::min(size.y, size.z) < longer_share * std::max(size.y, size.z)) {
+  if (std::min(size.y, size.z) < longer_fraction * std::max(size.y, size.z)) {
     return size.y < size.z ? mesh::Axis::y : mesh::Axis::z;
   }
   return usual;

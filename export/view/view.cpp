@@ -25,9 +25,9 @@ using PlanarSet = planar::polygon_set_data<int>;
 /// Areas are cut on a grid of so many cells across the scene.
 constexpr double grid_cells = 1e6;
 /// Depths that differ by less of the scene's size are equal.
-constexpr double same_depth_share = 1e-6;
+constexpr double same_depth_fraction = 1e-6;
 /// What overlaps by less of the scene's size only touches.
-constexpr double touch_share = 1e-6;
+constexpr double touch_fraction = 1e-6;
 
 /// The part of a convex polygon on the left of the line from a to b.
 std::vector<Vec2> left_of(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
@@ -117,13 +117,13 @@ class Looker {
   }
 
   void order_pair(std::uint32_t i, std::uint32_t j) {
-    const auto middle = middle_of_overlap(faces_[i], faces_[j], touch_share * size_);
+    const auto middle = middle_of_overlap(faces_[i], faces_[j], touch_fraction * size_);
     if (!middle) {
       return;
     }
     const double nearer = faces_[i].depth_at(*middle) - faces_[j].depth_at(*middle);
     bool i_before = nearer > 0.0;
-    if (std::abs(nearer) < same_depth_share * size_) {
+    if (std::abs(nearer) < same_depth_fraction * size_) {
       // Sheets that lie on each other: the printed side is seen, or that of the face with the smaller number.
       i_before = faces_[i].inside == faces_[j].inside || faces_[j].inside;
     }
@@ -177,7 +177,7 @@ class Looker {
   [[nodiscard]] bool is_covered(std::uint32_t i) const {
     constexpr std::size_t most_pieces = 24;
     const SeenFace& face = faces_[i];
-    const double touch = touch_share * size_;
+    const double touch = touch_fraction * size_;
     std::vector<std::vector<Vec2>> pieces{{face.corners.begin(), face.corners.end()}};
     for (const std::uint32_t j : before_[i]) {
       std::vector<std::vector<Vec2>> left;
@@ -345,7 +345,7 @@ class Looker {
       }
       const double middle = 0.5 * (stretch->from + stretch->to);
       const double own = depth[0] + middle * (depth[1] - depth[0]);
-      if (faces_[i].depth_at(at[0] + middle * (at[1] - at[0])) > own + same_depth_share * size_) {
+      if (faces_[i].depth_at(at[0] + middle * (at[1] - at[0])) > own + same_depth_fraction * size_) {
         hidden.push_back(*stretch);
       }
     });
@@ -368,7 +368,7 @@ class Looker {
   /// The stretch of a line that lies inside a face, its border left out; nothing where there is none.
   [[nodiscard]] std::optional<Hidden> stretch_inside(const SeenFace& face, Vec2 a, Vec2 b) const {
     Hidden stretch{0.0, 1.0};
-    const double touch = touch_share * size_;
+    const double touch = touch_fraction * size_;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec2 p = face.corners[k];
       const Vec2 side = face.corners[(k + 1) % 3] - p;

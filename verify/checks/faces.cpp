@@ -29,7 +29,7 @@ Difference compare(std::span<const Vec2> net, std::span<const Vec3> model, const
       const double truth = length(model[j] - model[i]);
       const double error = std::abs(length(net[j] - net[i]) - truth);
       result.worst = std::fmax(result.worst, error);
-      result.tolerable = result.tolerable && error <= length_tolerance_mm + length_tolerance_share * truth;
+      result.tolerable = result.tolerable && error <= length_tolerance_mm + length_tolerance_fraction * truth;
     }
   }
   return result;
@@ -89,7 +89,7 @@ void check_plane(const Case& given, Index model_face, Findings& findings) {
   for (const Index v : corners) {
     worst = std::fmax(worst, std::abs(dot(model.points[v] - mean, given.relations.normal[model_face])));
   }
-  if (worst > plane_tolerance_share * model.size) {
+  if (worst > plane_tolerance_fraction * model.size) {
     findings.add(Promise::lengths, {{"model_face", model_face}}, [&] {
       return fmt::format("model face {} is not plane: a corner is {:.4g} mm off its plane", model_face,
                          worst);

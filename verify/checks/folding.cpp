@@ -111,7 +111,7 @@ void check_corners(const Case& given, const FoldedCorners& corners, Findings& fi
   }
   double& figure = findings.figures().max_refold_error_mm;
   figure = std::fmax(figure, worst);
-  if (worst > position_tolerance_share * file.model.size) {
+  if (worst > position_tolerance_fraction * file.model.size) {
     const Index face = file.faces.face(corners.side[where]);
     findings.add(Promise::refolds,
                  {{"piece", file.face_piece[face]}, {"vertex", file.faces.tail(corners.side[where])}}, [&] {
@@ -341,17 +341,17 @@ class Folder {
 
   /// Whether faces meet at some stage of the steps; each crease is in one of them.
   [[nodiscard]] bool runs_through_itself(const std::vector<std::vector<Index>>& creases_of_step) {
-    std::vector<double> share(creases_.size(), 1.0);
-    always_ = meetings(share, final_seam_mm);
-    std::fill(share.begin(), share.end(), 0.0);
+    std::vector<double> fraction(creases_.size(), 1.0);
+    always_ = meetings(fraction, final_seam_mm);
+    std::fill(fraction.begin(), fraction.end(), 0.0);
     for (const std::vector<Index>& step : creases_of_step) {
       for (int look = 1; look <= looks_at_step; ++look) {
         given_.context.check();
         const double now = static_cast<double>(look) / looks_at_step;
         for (const Index crease : step) {
-          share[crease] = now;
+          fraction[crease] = now;
         }
-        if (!meetings(share, fold_seam_mm).empty()) {
+        if (!meetings(fraction, fold_seam_mm).empty()) {
           return true;
         }
       }
@@ -427,10 +427,10 @@ class Folder {
   }
 
   /// Pairs of faces that meet when each crease is folded by its share; those that always do left out.
-  [[nodiscard]] std::vector<Pair> meetings(const std::vector<double>& share, double seam) const {
+  [[nodiscard]] std::vector<Pair> meetings(const std::vector<double>& fraction, double seam) const {
     std::vector<Motion> motion(plates_);
     for (const Hinge& h : hinges_) {
-      const Turn turn = Turn::about({h.along.x, h.along.y, 0.0}, share[h.crease] * h.angle);
+      const Turn turn = Turn::about({h.along.x, h.along.y, 0.0}, fraction[h.crease] * h.angle);
       const Vec3 fixed{h.start.x, h.start.y, 0.0};
       const Motion fold{turn, fixed - turn(fixed)};
       motion[h.outer] = {motion[h.inner].turn * fold.turn, motion[h.inner](fold.shift)};

@@ -28,7 +28,7 @@ struct FoldedTriangle {
 };
 
 /// Barycentric coordinates; nothing for a triangle without area.
-std::optional<std::array<double, 3>> shares_at(const std::array<Vec2, 3>& t, Vec2 p) {
+std::optional<std::array<double, 3>> weights_at(const std::array<Vec2, 3>& t, Vec2 p) {
   const double area = cross(t[1] - t[0], t[2] - t[0]);
   if (!(std::abs(area) > 0.0)) {
     return std::nullopt;
@@ -202,10 +202,10 @@ class GlueCheck {
         nearest = &pairs_[piece][i];
       }
     });
-    const auto shares = nearest == nullptr ? std::nullopt : shares_at(nearest->flat, p);
-    return shares ? std::optional((*shares)[0] * nearest->solid[0] + (*shares)[1] * nearest->solid[1] +
-                                  (*shares)[2] * nearest->solid[2])
-                  : std::nullopt;
+    const auto weights = nearest == nullptr ? std::nullopt : weights_at(nearest->flat, p);
+    return weights ? std::optional((*weights)[0] * nearest->solid[0] + (*weights)[1] * nearest->solid[1] +
+                                   (*weights)[2] * nearest->solid[2])
+                   : std::nullopt;
   }
 
   /// To the nearest place of its faces, or of what closes its openings.
@@ -225,8 +225,8 @@ class GlueCheck {
     for (const std::vector<Vec2>& outline : spot.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) {
         given_.context.check();
-        for (const double share : {0.0, 0.5}) {
-          const Vec2 p = outline[i] + share * (outline[(i + 1) % outline.size()] - outline[i]);
+        for (const double fraction : {0.0, 0.5}) {
+          const Vec2 p = outline[i] + fraction * (outline[(i + 1) % outline.size()] - outline[i]);
           const std::optional<Vec3> place = in_space(spot.piece, p);
           if (!place) {
             add(number, "reaches beyond its piece");

@@ -208,7 +208,7 @@ class JoinCheck {
     const double truth = length(model.points[model.faces.head(side)] - model.points[model.faces.tail(side)]);
     const double e_length = length_of(a);
     const double f_length = length_of(b);
-    if (std::abs(e_length - f_length) > 2.0 * (length_tolerance_mm + length_tolerance_share * truth)) {
+    if (std::abs(e_length - f_length) > 2.0 * (length_tolerance_mm + length_tolerance_fraction * truth)) {
       add({{"join", first}, {"edge", e}, {"edge", f}}, [&] {
         return fmt::format("{} joins edges of different length, {:.9g} and {:.9g} mm",
                            join_name(file_, first), e_length, f_length);

@@ -184,16 +184,16 @@ class ModelCheck {
 
  private:
   /// What the settings say about it; a file without settings is taken at its word.
-  [[nodiscard]] bool simplified() const { return allowed() != same_surface_share * file_.model.size; }
+  [[nodiscard]] bool simplified() const { return allowed() != same_surface_fraction * file_.model.size; }
 
   [[nodiscard]] std::optional<double> allowed() const {
-    const double same = same_surface_share * file_.model.size;
+    const double same = same_surface_fraction * file_.model.size;
     const Setting* const faces = file_.settings.find("faces");
     if (faces == nullptr) {
       return same;
     }
     if (const auto* word = std::get_if<std::string>(faces); word != nullptr) {
-      return *word == "auto" ? simplified_share * bounds_of(nets_).largest_extent() + same : same;
+      return *word == "auto" ? simplified_fraction * bounds_of(nets_).largest_extent() + same : same;
     }
     const double* const count = std::get_if<double>(faces);
     return count != nullptr && *count < static_cast<double>(model_.size()) ? std::nullopt
@@ -254,7 +254,7 @@ class ModelCheck {
     const double extent = bounds_of(model_).largest_extent();
     const double scale = bounds_of(nets_).largest_extent() / extent;
     const auto may_be_missing = [&](const Body& body) {
-      return body.box.largest_extent() <= detail_length_share * extent && is_detail(body, scale);
+      return body.box.largest_extent() <= detail_length_fraction * extent && is_detail(body, scale);
     };
     double missing = 0.0;
     std::vector<Triangle3> kept;
@@ -265,7 +265,7 @@ class ModelCheck {
         kept.push_back(model_[f]);
       }
     }
-    if (missing <= details_area_share * area_of(model_)) {
+    if (missing <= details_area_fraction * area_of(model_)) {
       without_details_ = std::move(kept);
     }
   }
@@ -282,7 +282,7 @@ class ModelCheck {
   }
 
   [[nodiscard]] Farthest measure(const Placing& place) const {
-    const double spacing = sample_share * bounds_of(nets_).largest_extent();
+    const double spacing = sample_fraction * bounds_of(nets_).largest_extent();
     const std::vector<Triangle3> model = placed(model_, place);
     Farthest farthest;
     // Where bodies became one skin, flat openings may have been closed, and what the skin goes around is
@@ -299,7 +299,7 @@ class ModelCheck {
   /// shift that lay the nets on the model with the least sum of squares, by nearest points (Besl and McKay
   /// 1992, without turns).
   [[nodiscard]] Placing refined(Placing place) const {
-    const std::vector<Vec3> samples = samples_of(nets_, fit_share * bounds_of(nets_).largest_extent());
+    const std::vector<Vec3> samples = samples_of(nets_, fit_fraction * bounds_of(nets_).largest_extent());
     const SurfaceTree model(model_);
     for (int round = 0; round < fit_rounds; ++round) {
       Vec3 mean_here, mean_there;
@@ -339,7 +339,7 @@ class ModelCheck {
     } else if (!simplified() && !united()) {
       const double there = place.scale * place.scale * area_of(model_);
       const double here = area_of(nets_);
-      if (std::abs(here - there) > area_tolerance_share * there) {
+      if (std::abs(here - there) > area_tolerance_fraction * there) {
         findings_.add(Promise::model, {}, [&] {
           return fmt::format("the nets have {:.6g} mm² of the model, which has {:.6g} mm²", here, there);
         });

@@ -255,7 +255,7 @@ class Contradictions {
   }
 
   static bool differ(double a, double b) {
-    return std::abs(a - b) > setting_tolerance_share * std::max(std::abs(a), std::abs(b));
+    return std::abs(a - b) > setting_tolerance_fraction * std::max(std::abs(a), std::abs(b));
   }
 
   void check_size() {

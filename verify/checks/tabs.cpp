@@ -395,7 +395,7 @@ class PaperCheck {
   explicit PaperCheck(const Case& given) : file_(given.file), relations_(given.relations) {}
 
   /// Share of a tab's base with too little paper behind it.
-  [[nodiscard]] double thin_share(const Tab& tab) const {
+  [[nodiscard]] double thin_fraction(const Tab& tab) const {
     double thin = 0.0;
     double all = 0.0;
     for (const Index e : tab.edges) {
@@ -435,14 +435,14 @@ class PaperCheck {
   }
 
   /// Paper straight behind a place on a side, mm, as far as it is of interest.
-  [[nodiscard]] double paper(Index side, double share) const {
+  [[nodiscard]] double paper(Index side, double fraction) const {
     const Vec2 from = point(file_.faces.tail(side));
     const Vec2 along = point(file_.faces.head(side)) - from;
     const double size = length(along);
     if (!(size > 0.0)) {
       return 0.0;
     }
-    const Vec2 start = from + share * along;
+    const Vec2 start = from + fraction * along;
     const Vec2 inward = perpendicular(along) / size;
     Index entered = side;
     double at = 0.0;
@@ -468,7 +468,7 @@ void check_paper_behind_tabs(const Case& given, Findings& findings) {
   for (Index t = 0; t < given.file.tabs.size(); ++t) {
     given.context.check();
     const Tab& tab = given.file.tabs[t];
-    if (check.thin_share(tab) > 0.5 + 1.0 / places) {
+    if (check.thin_fraction(tab) > 0.5 + 1.0 / places) {
       findings.add(Promise::joins, {{"tab", t}, {"edge", tab.edge}}, [&] {
         return fmt::format("{} hangs on less than 2 mm of paper", tab_name(given.file, t));
       });

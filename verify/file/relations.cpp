@@ -158,9 +158,9 @@ ModelFold model_fold(const File& file, const Relations& relations, Index model_s
   fold.angle_deg = -elementary::atan2(sine, dot(relations.normal[a], relations.normal[b])) * degrees;
   // Faces without area have no normal: then every angle is within the tolerance.
   const double area = std::min(relations.area[a], relations.area[b]);
-  fold.tolerance_deg = area > 0.0
-                           ? angle_tolerance_deg + degrees * slender_share * model.size * length(along) / area
-                           : std::numeric_limits<double>::infinity();
+  fold.tolerance_deg =
+      area > 0.0 ? angle_tolerance_deg + degrees * slender_fraction * model.size * length(along) / area
+                 : std::numeric_limits<double>::infinity();
   return fold;
 }
 

@@ -9,10 +9,10 @@ namespace ridgecraft::verify {
 
 /// Lengths of nets and model (promise 1): absolute part in mm, and the share of the length.
 constexpr double length_tolerance_mm = 1e-5;
-constexpr double length_tolerance_share = 1e-6;
+constexpr double length_tolerance_fraction = 1e-6;
 /// Distance of a model polygon's corners from its plane, as a share of the model's size: 1e-4 mm per 100 mm
 /// (promise 1).
-constexpr double plane_tolerance_share = 1e-6;
+constexpr double plane_tolerance_fraction = 1e-6;
 /// Penetration that still counts as touching, in mm (promise 2).
 constexpr double overlap_tolerance_mm = 1e-3;
 /// How far faces and tabs may reach out of the printable area, and pages into each other, in mm (promise 4).
@@ -23,7 +23,7 @@ constexpr double angle_tolerance_deg = 0.01;
 constexpr double flat_fold_deg = 1e-4;
 /// Slender faces have badly defined normals: points known to this share of the model's size turn them
 /// (promise 5).
-constexpr double slender_share = 1e-9;
+constexpr double slender_fraction = 1e-9;
 /// Distance of a tab's base from its edge, in mm (promise 5).
 constexpr double tab_base_tolerance_mm = 1e-3;
 /// Distance of the edges under one tab from its base, and of those of one straight seam from its line, in mm
@@ -46,7 +46,7 @@ constexpr double least_neck_mm = 1.0;
 constexpr double held_by_neck_mm2 = 25.0;
 /// Distance of folded corners from the model's vertices, as a share of the model's size: 1e-3 mm per 100 mm
 /// (promise 6).
-constexpr double position_tolerance_share = 1e-5;
+constexpr double position_tolerance_fraction = 1e-5;
 
 /// Folds of less don't move anything that one could see and needn't be in the fold order, in degrees: 2e-6
 /// radians.
@@ -67,16 +67,16 @@ constexpr std::size_t most_fold_work = 100'000;
 constexpr double flat_region_fold_deg = 0.2 + angle_tolerance_deg;
 /// What a setting of a length and what follows from it may differ by, as a share: the settings stand in the
 /// file with ten digits.
-constexpr double setting_tolerance_share = 1e-6;
+constexpr double setting_tolerance_fraction = 1e-6;
 /// By how much the gap between pieces may be less than the settings say, in mm.
 constexpr double gap_tolerance_mm = 1e-4;
 /// How far a surface that wasn't simplified may be from the model, as a share of its size: flat regions are
 /// made quite flat.
-constexpr double same_surface_share = 5e-5;
+constexpr double same_surface_fraction = 5e-5;
 /// How far one that was simplified by the program's own choice may be, as a share of its largest extent: a
 /// twenty-fifth, and a quarter of that because the file doesn't tell how the simplified surface lay on the
 /// model.
-constexpr double simplified_share = 0.05;
+constexpr double simplified_fraction = 0.05;
 /// How far what is glued on may be from its outline, in mm, and how exactly the place of an outline is known.
 constexpr double glue_mm = 0.2;
 constexpr double glue_place_mm = 0.03;
@@ -88,17 +88,17 @@ constexpr double detail_mm = 6.0;
 /// ... or flat sheets, whose normals add up to this share of their area; ...
 constexpr double flat_detail_cosine = 0.99;
 /// ... no longer than this share of the model; together no more of its area than this.
-constexpr double detail_length_share = 0.26;
-constexpr double details_area_share = 0.35;
+constexpr double detail_length_fraction = 0.26;
+constexpr double details_area_fraction = 0.35;
 
 /// Areas of surfaces that are the same, as a share.
-constexpr double area_tolerance_share = 1e-3;
+constexpr double area_tolerance_fraction = 1e-3;
 /// Samples of surfaces are this share of the largest extent apart, with at most so many steps along a
 /// triangle's side.
-constexpr double sample_share = 0.015;
+constexpr double sample_fraction = 0.015;
 constexpr double most_sample_steps = 64.0;
 /// Coarser ones to find how a simplified surface lies on the model, and how often that is tried.
-constexpr double fit_share = 0.05;
+constexpr double fit_fraction = 0.05;
 constexpr int fit_rounds = 12;
 
 /// Larger coordinates are no lengths on paper; up to here doubles are 2e-9 mm apart, far below every
@@ -106,7 +106,7 @@ constexpr int fit_rounds = 12;
 constexpr double max_coordinate_mm = 1e7;
 /// Two sides of a polygon touch when they come as near as this share of the largest coordinate: some thousand
 /// times the rounding of doubles, far below what anybody can cut.
-constexpr double touch_share = 1e-12;
+constexpr double touch_fraction = 1e-12;
 /// A corner that lies this far inside the chord of its neighbours (mm) doesn't make a polygon concave: a
 /// million times smaller than the overlap tolerance, so that even a thousand such corners in a row don't add
 /// up to it.
@@ -152,8 +152,8 @@ constexpr double beside_mm = 1.0;
 
 /// A page of which this share of the outlines is no line of its page of the nets, and no more than that share
 /// of another one's, shows the other page.
-constexpr double wrong_page_share = 0.5;
-constexpr double right_page_share = 0.01;
+constexpr double wrong_page_fraction = 0.5;
+constexpr double right_page_fraction = 0.01;
 
 /// Shorter lines are drawn solid, whatever they are, mm: two dashes and a gap in less are a smudge.
 constexpr double shortest_dashed_mm = 0.8;

@@ -71,7 +71,7 @@ bool is_simple(std::span<const Vec2> polygon, const Context& context) {
   for (const Vec2 corner : polygon) {
     largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
   }
-  const double touch = touch_share * largest;
+  const double touch = touch_fraction * largest;
   const Vec2 margin{touch, touch};
   std::vector<Box2> boxes(n);
   for (std::size_t i = 0; i < n; ++i) {

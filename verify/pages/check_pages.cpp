@@ -274,7 +274,7 @@ class PageCheck {
   }
 
   /// The share of the printed outlines that lie on no outline of a page of the nets.
-  [[nodiscard]] double stray_share(const NetPage& net) const {
+  [[nodiscard]] double stray_fraction(const NetPage& net) const {
     double all = 0.0;
     double stray = 0.0;
     const LineSet& outlines = net.allowed[static_cast<std::size_t>(LineKind::cut)];
@@ -291,12 +291,12 @@ class PageCheck {
 
   /// Another page of the nets, where the outlines are those of that page and not of this one.
   [[nodiscard]] std::optional<Index> page_that_fits() const {
-    if (stray_share(net_) < wrong_page_share) {
+    if (stray_fraction(net_) < wrong_page_fraction) {
       return std::nullopt;
     }
     for (Index other = 0; other < nets_.size(); ++other) {
       given_.context.check();
-      if (other != page_ && stray_share(nets_[other]) < right_page_share) {
+      if (other != page_ && stray_fraction(nets_[other]) < right_page_fraction) {
         return other;
       }
     }

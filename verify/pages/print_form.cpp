@@ -36,7 +36,7 @@ std::optional<PrintedLayer> layer_named(std::string_view name, std::string_view 
 
 /// A dash shorter than this share of the gap behind it is a dot; dots are 0.4 of it, the shortest dashes
 /// 0.67.
-constexpr double dot_share = 0.5;
+constexpr double dot_fraction = 0.5;
 
 /// Takes a whole number off the end of the words.
 std::optional<std::size_t> take_number(std::string_view& words) {
@@ -88,7 +88,7 @@ Pattern pattern_of(std::span<const double> dashes) {
     return Pattern::solid;
   }
   if (dashes.size() == 2) {
-    return dashes[0] < dot_share * dashes[1] ? Pattern::dotted : Pattern::dashed;
+    return dashes[0] < dot_fraction * dashes[1] ? Pattern::dotted : Pattern::dashed;
   }
   return dashes.size() == 4 && dashes[0] > dashes[2] ? Pattern::dash_dot : Pattern::strange;
 }

@@ -217,10 +217,10 @@ class Collector {
     double at = 0.0;
     for (const auto& [from, to] : covered) {
       if (from > at) {
-        const double share_at = at / size;
-        const double share_from = std::min(from, size) / size;
+        const double fraction_at = at / size;
+        const double fraction_from = std::min(from, size) / size;
         const Vec2 whole = line.b - line.a;
-        add_cut(piece_of(edge), {line.a + share_at * whole, line.a + share_from * whole});
+        add_cut(piece_of(edge), {line.a + fraction_at * whole, line.a + fraction_from * whole});
       }
       at = std::max(at, to);
     }
