@@ -202,21 +202,20 @@ std::array<double, 3> weights_on_face(const Cell& cell, Vec2 on_page) {
 
 class CellPainter {
  public:
-  CellPainter(DotRaster& raster, const Cell& cell, const mesh::Surface& surface, const mesh::Look& look,
-              const Shade& shade, double overhang_mm)
+  CellPainter(DotRaster& raster, const Cell& cell, const PictureSource& source, double overhang_mm)
       : raster_(raster),
         cell_(cell),
-        surface_(surface),
-        look_(look),
-        shade_(shade),
-        normal_(surface.normal(cell.face)),
+        surface_(source.surface),
+        look_(source.look),
+        shade_(source.shade),
+        normal_(surface_.normal(cell.face)),
         overhang_mm_(overhang_mm) {
     std::array<Vec3, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = surface.point(surface.vertices(cell.face)[k]);
+      corners[k] = surface_.point(surface_.vertices(cell.face)[k]);
     }
-    if (const auto under = look.face_under(corners, normal_)) {
-      colours_ = look.colours_of(*under, corners, raster.dot_mm());
+    if (const auto under = look_.face_under(corners, normal_)) {
+      colours_ = look_.colours_of(*under, corners, raster.dot_mm());
     }
     for (std::size_t i = 0; i < cell.polygon.size(); ++i) {
       const Vec2 side = cell.polygon[(i + 1) % cell.polygon.size()] - cell.polygon[i];
@@ -439,16 +438,16 @@ Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_pa
          weights[2] * surface.point(vertices[2]);
 }
 
-Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& surface, const mesh::Look& look,
-                 double dots_per_inch, const Shade& shade, const Context& context) {
+Image picture_of(const std::vector<const Cell*>& cells, const PictureSource& source, const Context& context) {
   Box2 box;
   for (const Cell* const cell : cells) {
     box.add(cell->box.low);
     box.add(cell->box.high);
   }
   const Vec2 size = box.high - box.low;
-  const double dots_per_mm = std::min({dots_per_inch / 25.4, longest_side / std::max({size.x, size.y, 1.0}),
-                                       std::sqrt(most_dots / std::max(size.x * size.y, 1.0))});
+  const double dots_per_mm =
+      std::min({source.dots_per_inch / 25.4, longest_side / std::max({size.x, size.y, 1.0}),
+                std::sqrt(most_dots / std::max(size.x * size.y, 1.0))});
   DotRaster raster(box, dots_per_mm);
   // Each face's own dots first, then what lies beyond its borders.
   for (const double overhang : {0.0, overhang_dots / dots_per_mm}) {
@@ -456,7 +455,7 @@ Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& sur
       for (const Cell* const cell : cells) {
         if (cell->kind == kind) {
           context.check();
-          CellPainter(raster, *cell, surface, look, shade, overhang).paint();
+          CellPainter(raster, *cell, source, overhang).paint();
         }
       }
     }

@@ -90,11 +90,18 @@ using Shade = std::array<std::uint8_t, 256>;
 /// of the face.
 [[nodiscard]] Vec3 place_on_surface(const mesh::Surface& surface, const Cell& cell, Vec2 on_page);
 
-/// One picture of these cells, with the colours of the original surface's nearest places. `shade` has the
-/// last word on each. O(dots) for faces that lie on one original face, O(dots x log n) for others;
-/// neighbouring dots mostly lie on one original face, which makes these quick, too.
-[[nodiscard]] Image picture_of(const std::vector<const Cell*>& cells, const mesh::Surface& surface,
-                               const mesh::Look& look, double dots_per_inch, const Shade& shade,
+/// What pictures are painted of.
+struct PictureSource {
+  const mesh::Surface& surface;
+  const mesh::Look& look;
+  double dots_per_inch = 300.0;
+  const Shade& shade;  ///< has the last word on each colour
+};
+
+/// One picture of these cells, with the colours of the original surface's nearest places. O(dots) for faces
+/// that lie on one original face, O(dots x log n) for others; neighbouring dots mostly lie on one original
+/// face, which makes these quick, too.
+[[nodiscard]] Image picture_of(const std::vector<const Cell*>& cells, const PictureSource& source,
                                const Context& context);
 
 }  // namespace ridgecraft::export_

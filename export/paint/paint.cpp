@@ -131,7 +131,7 @@ class PiecePainter {
     const Image* const known = before_ == nullptr ? nullptr : before_->find(picture.cells);
     picture.image = known != nullptr
                         ? *known
-                        : picture_of(pictures, surface_, look_, style_.dots_per_inch, shade_, context);
+                        : picture_of(pictures, {surface_, look_, style_.dots_per_inch, shade_}, context);
     return picture;
   }
 
