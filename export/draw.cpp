@@ -72,19 +72,18 @@ void report_lines(const Group& group, DrawReport& report) {
 /// Draws all pages, phase by phase: pieces, texts, lists, backs, colours, feet.
 class PageDrawer {
  public:
-  PageDrawer(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages, const Style& style,
-             const Context& context)
-      : model_(model),
-        surface_(model.model.surface),
-        nets_(nets),
-        pages_(pages),
+  PageDrawer(const PlacedNets& placed, const Style& style, const Context& context)
+      : model_(placed.model),
+        surface_(model_.model.surface),
+        nets_(placed.nets),
+        pages_(placed.pages),
         style_(style),
         context_(context),
-        can_list_(has_room_for_lists(pages.paper)),
-        contents_(piece_contents(surface_, nets)),
-        pieces_(pages.count),
-        piece_ids_(pages.count),
-        backs_(pages.count) {}
+        can_list_(has_room_for_lists(pages_.paper)),
+        contents_(piece_contents(surface_, nets_)),
+        pieces_(pages_.count),
+        piece_ids_(pages_.count),
+        backs_(pages_.count) {}
 
   /// `known`: pictures of an earlier drawing, or nothing.
   std::vector<Drawing> draw(const DrawnPictures* known) {
@@ -213,9 +212,9 @@ class PageDrawer {
 
 }  // namespace
 
-std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets, const Pages& pages,
-                          const Style& style, DrawReport* report, const Context& context) {
-  PageDrawer drawer(model, nets, pages, style, context);
+std::vector<Drawing> draw(const PlacedNets& placed, const Style& style, DrawReport* report,
+                          const Context& context) {
+  PageDrawer drawer(placed, style, context);
   std::vector<Drawing> drawings = drawer.draw(report == nullptr ? nullptr : report->pictures.get());
   if (report != nullptr) {
     *report = std::move(drawer).report();

@@ -40,9 +40,16 @@ namespace ridgecraft::export_ {
 
 /// The largest of a few sizes below the present one, as a share of it, at which these pieces would take a
 /// page less, with a reserve of 4 %, since tabs don't shrink with the model and nets come out otherwise; none
-/// where even the smallest of them wouldn't do. Heeds no grain. Takes a tenth of what layout() does.
+/// where even the smallest of them wouldn't do. Ignores the grain. Takes a tenth of what layout() does.
 [[nodiscard]] std::optional<double> scale_that_saves_a_page(const unfold::Nets& nets, const Pages& pages,
                                                             const Context& context);
+
+/// Nets on their pages. Not copied: all that it names must outlive it.
+struct PlacedNets {
+  const prepare::Prepared& model;
+  const unfold::Nets& nets;
+  const Pages& pages;
+};
 
 /// Draws every page: outlines, folds, tabs, numbers on both sides of every cut, names, the index of what is
 /// glued to what, legend, scale bar. When the context's deadline and grace have passed, numbers that have no
@@ -50,8 +57,7 @@ namespace ridgecraft::export_ {
 /// pages at the end that have nothing else. `report` may come from an earlier drawing of the same surface:
 /// its pictures are taken where nothing of them changes, which gives the same pages sooner. Throws
 /// Error(interrupted).
-[[nodiscard]] std::vector<Drawing> draw(const prepare::Prepared& model, const unfold::Nets& nets,
-                                        const Pages& pages, const Style& style, DrawReport* report = nullptr,
-                                        const Context& context = {});
+[[nodiscard]] std::vector<Drawing> draw(const PlacedNets& placed, const Style& style,
+                                        DrawReport* report = nullptr, const Context& context = {});
 
 }  // namespace ridgecraft::export_

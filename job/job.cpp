@@ -97,7 +97,7 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
     });
   }
   made.drawings = clock("draw", context, [&] {
-    return export_::draw(made.prepared, nets_on_pages(made), made.pages, made.options.style, &made.drawn,
+    return export_::draw({made.prepared, nets_on_pages(made), made.pages}, made.options.style, &made.drawn,
                          context);
   });
   made.guide = {};

@@ -187,8 +187,8 @@ class RimMaker {
     const Vec2 begin = part.a == edge.a ? edge.a - at_a * along : part.a;
     const Vec2 end = part.b == edge.b ? edge.b + at_b * along : part.b;
     std::vector<Vec2> strip{end, begin, begin + at_a * out, end + at_b * out};
-    strip = cut_at_corner(std::move(strip), edge.a, along, -1.0, at_a, length(part.a - edge.a));
-    return cut_at_corner(std::move(strip), edge.b, -along, 1.0, at_b, length(part.b - edge.b));
+    strip = cut_at_corner(std::move(strip), {edge.a, along, -1.0, at_a, length(part.a - edge.a)});
+    return cut_at_corner(std::move(strip), {edge.b, -along, 1.0, at_b, length(part.b - edge.b)});
   }
 
   static std::optional<Segment2> in_front(Segment2 s, Vec2 at, Vec2 out) {
@@ -205,11 +205,17 @@ class RimMaker {
     return s;
   }
 
-  /// Two rims that meet at a corner of the outline share the gap between their edges. `way`: from the corner
-  /// along the edge; `sense`: 1 where the rim lies against the clock of it; `from`: how far along the edge
-  /// the rim begins, as what ends before that shares nothing with it.
-  [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, Vec2 corner, Vec2 way, double sense,
-                                                double reach, double from) const {
+  /// An end of an edge of the outline, with the rim beyond it.
+  struct RimEnd {
+    Vec2 corner;
+    Vec2 way;      ///< from the corner along the edge
+    double sense;  ///< 1 where the rim lies against the clock of it, else -1
+    double reach;  ///< width of the rim
+    double from;   ///< how far along the edge the rim begins: what ends before shares nothing with it
+  };
+  /// Two rims that meet at a corner share the gap between their edges.
+  [[nodiscard]] std::vector<Vec2> cut_at_corner(std::vector<Vec2> rim, const RimEnd& rim_end) const {
+    const auto [corner, way, sense, reach, from] = rim_end;
     double gap = 2.0 * std::numbers::pi;
     bool met = false;
     for (const Segment2& other : own_) {

@@ -45,12 +45,12 @@ TEST_CASE("past the deadline and its grace, pages have the numbers that find roo
     context.deadline = Deadline::in(-1.0);
     context.grace_s = grace_s;
     export_::DrawReport report;
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report, context);
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {}, &report, context);
     CHECK(pages.size() == sample.pages.count + report.list_pages);
     return report.labels_listed.size();
   };
   export_::DrawReport unlimited;
-  static_cast<void>(export_::draw(sample.model, sample.nets, sample.pages, {}, &unlimited));
+  static_cast<void>(export_::draw({sample.model, sample.nets, sample.pages}, {}, &unlimited));
   CHECK(numbers_listed(3600.0) == unlimited.labels_listed.size());
   CHECK(numbers_listed(0.0) > unlimited.labels_listed.size());
   CHECK(numbers_listed(0.0) < sample.nets.joins.size());
@@ -60,7 +60,7 @@ TEST_CASE("texts keep clear of lines and of each other") {
   for (const double turn : {0.0, 0.7, 2.5}) {
     for (const auto& sample : samples(turn)) {
       export_::DrawReport report;
-      for (const auto& page : export_::draw(sample.model, sample.nets, sample.pages, {}, &report)) {
+      for (const auto& page : export_::draw({sample.model, sample.nets, sample.pages}, {}, &report)) {
         std::vector<std::vector<Stroke>> texts;
         std::vector<std::vector<Stroke>> lines;
         for (const auto& group : page.groups) {
@@ -115,7 +115,7 @@ bool in_face(const test::SamplePages& sample, PieceId piece, Vec2 p) {
 
 TEST_CASE("each cut edge has its number inside its piece, near it and along it") {
   for (const auto& sample : samples(0.4)) {
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
     const mesh::Surface& surface = sample.model.model.surface;
     for (const auto& join : sample.nets.joins) {
       for (const CornerId c : surface.sides(join.edge)) {
@@ -159,7 +159,7 @@ TEST_CASE(
     return lines;
   };
   const auto cube = test::sample_pages(test::cube(), 40.0, 0.0);
-  const auto pages = export_::draw(cube.model, cube.nets, cube.pages, {});
+  const auto pages = export_::draw({cube.model, cube.nets, cube.pages}, {});
   // The net of the triangulated cube may be cut through squares: then a square's halves hang on folds of
   // their own.
   std::size_t folds = 0;
@@ -181,7 +181,7 @@ TEST_CASE("an angle of 0 hides exactly flat folds only, a large one hides all") 
     export_::Style style;
     style.hidden_fold_angle = angle;
     std::size_t lines = 0;
-    for (const auto& page : export_::draw(sample.model, sample.nets, sample.pages, style)) {
+    for (const auto& page : export_::draw({sample.model, sample.nets, sample.pages}, style)) {
       for (const auto& group : page.groups) {
         lines += static_cast<std::size_t>(std::ranges::count_if(group.lines, [](const export_::Line& line) {
           return line.layer == Layer::mountain || line.layer == Layer::valley;
@@ -218,7 +218,7 @@ double drawn_length(const std::vector<export_::Drawing>& pages, std::initializer
 TEST_CASE("drawn lengths are those of the nets") {
   for (const auto& sample : samples(0.2)) {
     const mesh::Surface& surface = sample.model.model.surface;
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
     double folds = 0.0;
     double cuts = 0.0;
     for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {

@@ -106,7 +106,7 @@ TEST_CASE("a cap without a back is glued where its border stands", "[glue_outlin
   };
   const auto sample = test::sample_pages(with_cap(20.17, 26.0), 1.0, 0.0);
   export_::DrawReport report;
-  static_cast<void>(export_::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  static_cast<void>(export_::draw({sample.model, sample.nets, sample.pages}, {}, &report));
   REQUIRE(report.glue_outlines.size() == 1);
   CHECK(report.glue_outlines[0].piece == PieceId(0));
   double area = 0.0;
@@ -193,7 +193,7 @@ TEST_CASE("spots are drawn, named, told, and hold in the check", "[glue_outlines
                                        {{{60, 5, 5}, {70, 20, 15}}}});
   const auto sample = test::sample_pages(surface, 1.0, 0.0);
   export_::DrawReport report;
-  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {}, &report);
   REQUIRE(report.glue_outlines.size() == 3);
   std::set<std::string> names;
   double drawn = 0.0;

@@ -214,7 +214,7 @@ TEST_CASE("with a kerf folds stay, outlines grow, and every cut of a page is mad
 TEST_CASE(
     "the test piece is 20 mm wide with a hole of 10, on the first page that has room, else on its own") {
   const test::SamplePages sample = test::sample_pages(test::cube(), 40.0, 5.0);
-  std::vector<export_::Drawing> pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+  std::vector<export_::Drawing> pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
   const std::size_t count = pages.size();
   export_::add_kerf_test(pages, sample.pages.paper);
   REQUIRE(pages.size() == count);

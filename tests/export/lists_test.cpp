@@ -132,7 +132,7 @@ TEST_CASE("every number of every edge stands somewhere, or needs no place", "[nu
     for (const char* format : {"A4", "60x60mm"}) {
       const auto sample = test::sample_pages(ball, scale, 0.0, {}, "Ball", export_::parse_paper(format));
       export_::DrawReport report;
-      const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
+      const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {}, &report);
       CHECK(pages.size() == sample.pages.count + report.list_pages);
       CHECK(report.labels_left_out.empty());
       std::multiset<std::string> labels;
@@ -168,7 +168,7 @@ TEST_CASE("paper that is too small for a list has none, and that is told", "[num
   const auto sample =
       test::sample_pages(test::sphere(16, 10), 2.0, 0.0, {}, "Ball", export_::parse_paper("45x60mm"));
   export_::DrawReport report;
-  CHECK(export_::draw(sample.model, sample.nets, sample.pages, {}, &report).size() == sample.pages.count);
+  CHECK(export_::draw({sample.model, sample.nets, sample.pages}, {}, &report).size() == sample.pages.count);
   CHECK(report.labels_listed.empty());
   CHECK_FALSE(report.labels_left_out.empty());
 }
@@ -294,7 +294,7 @@ TEST_CASE("the index stands beside the pieces, clear of all else", "[page_index]
   for (const double scale : {15.0, 30.0, 55.0, 70.0}) {
     CAPTURE(scale);
     const auto sample = test::sample_pages(cube, scale, 5.0, test::all_edges(cube));
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
     std::size_t rows = 0;
     for (const export_::Drawing& page : pages) {
       rows += checked_rows(sample, page);
@@ -332,7 +332,7 @@ TEST_CASE("an index alone has a page of its own only where pieces lie on several
     paper.size = {200.0, height};
     const auto sample = test::sample_pages(cube, 48.0, 5.0, edges, "Sample", paper);
     export_::DrawReport report;
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {}, &report);
     if (sample.pages.count == 1 && report.labels_listed.empty()) {
       CHECK(report.list_pages == 0);
       without_index += index_of(pages.front()).empty() ? 1U : 0U;
@@ -346,7 +346,7 @@ TEST_CASE("an index alone has a page of its own only where pieces lie on several
 TEST_CASE("a model of one piece has no index", "[page_index]") {
   const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
   REQUIRE(sample.nets.pieces.size() == 1);
-  CHECK(index_of(export_::draw(sample.model, sample.nets, sample.pages, {}).front()).empty());
+  CHECK(index_of(export_::draw({sample.model, sample.nets, sample.pages}, {}).front()).empty());
 }
 
 // Numbers are left out only where the paper itself says what is glued to what.

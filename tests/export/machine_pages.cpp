@@ -13,7 +13,7 @@ namespace ridgecraft::test {
 std::vector<export_::Drawing> pages_for_machines() {
   std::vector<export_::Drawing> all;
   const auto add = [&](const SamplePages& sample) {
-    std::vector<export_::Drawing> drawn = export_::draw(sample.model, sample.nets, sample.pages, {});
+    std::vector<export_::Drawing> drawn = export_::draw({sample.model, sample.nets, sample.pages}, {});
     drawn.resize(sample.pages.count);  // without pages of lists
     std::move(drawn.begin(), drawn.end(), std::back_inserter(all));
   };

@@ -21,7 +21,7 @@ namespace {
 using export_::Layer;
 
 std::vector<export_::Drawing> drawn(const test::SamplePages& sample, export_::DrawReport* report = nullptr) {
-  return export_::draw(sample.model, sample.nets, sample.pages, {}, report);
+  return export_::draw({sample.model, sample.nets, sample.pages}, {}, report);
 }
 
 /// Crowded on purpose: short edges, many numbers of two and three digits.

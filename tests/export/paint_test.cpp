@@ -51,7 +51,7 @@ std::vector<Drawing> painted(const SamplePages& sample, export_::Ink ink = expor
   style.ink = ink;
   Context context;
   context.threads = threads;
-  return export_::draw(sample.model, sample.nets, sample.pages, style, nullptr, context);
+  return export_::draw({sample.model, sample.nets, sample.pages}, style, nullptr, context);
 }
 
 bool inside(const std::vector<Vec2>& convex, Vec2 p) {
@@ -386,7 +386,7 @@ TEST_CASE("Pictures have the dots that are asked for, and lie under their faces"
     export_::Style style;
     style.dots_per_inch = dots;
     std::size_t images = 0;
-    for (const Drawing& page : export_::draw(sample.model, sample.nets, sample.pages, style)) {
+    for (const Drawing& page : export_::draw({sample.model, sample.nets, sample.pages}, style)) {
       for (const export_::Group& group : page.groups) {
         for (const export_::Image& image : group.images) {
           ++images;
@@ -447,14 +447,14 @@ TEST_CASE("Pictures are painted again only where something of them changes, and 
   SamplePages sample = sample_pages(ball, 40.0, 5.0, all_edges(ball));
   give_picture(sample);
   export_::DrawReport report;
-  const auto first = pictures_of(export_::draw(sample.model, sample.nets, sample.pages, {}, &report));
+  const auto first = pictures_of(export_::draw({sample.model, sample.nets, sample.pages}, {}, &report));
   REQUIRE(first.size() > 1);
-  CHECK(pictures_of(export_::draw(sample.model, sample.nets, sample.pages, {}, &report)) == first);
+  CHECK(pictures_of(export_::draw({sample.model, sample.nets, sample.pages}, {}, &report)) == first);
 
   // One piece goes to a page of its own, where nothing is near it, so all others keep theirs or lose a
   // neighbour.
   sample.pages.placements[PieceId(sample.nets.pieces.size() - 1)].page = PageId(sample.pages.count++);
-  const std::vector<Drawing> moved = export_::draw(sample.model, sample.nets, sample.pages, {}, &report);
+  const std::vector<Drawing> moved = export_::draw({sample.model, sample.nets, sample.pages}, {}, &report);
   const std::vector<Drawing> fresh = painted(sample);
   REQUIRE(moved.size() == fresh.size());
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -469,7 +469,7 @@ TEST_CASE("Pictures are painted again only where something of them changes, and 
   export_::Style pale;
   pale.ink = export_::Ink::pale;
   for (const auto& picture :
-       pictures_of(export_::draw(sample.model, sample.nets, sample.pages, pale, &report))) {
+       pictures_of(export_::draw({sample.model, sample.nets, sample.pages}, pale, &report))) {
     CHECK(std::find(after.begin(), after.end(), picture) == after.end());
   }
 }

@@ -73,7 +73,7 @@ Made ball(const std::string& name, const std::string& paper_name) {
   const mesh::Surface surface = test::sphere(12, 7);
   const std::vector<EdgeId> cuts = test::all_edges(surface);
   const auto sample = test::sample_pages(surface, 60.0, 5.0, cuts, name, export_::parse_paper(paper_name));
-  return {export_::draw(sample.model, sample.nets, sample.pages, {}),
+  return {export_::draw({sample.model, sample.nets, sample.pages}, {}),
           {"ridgecraft test", name, "0123456789abcdef"}};
 }
 
@@ -128,10 +128,10 @@ TEST_CASE("numbers on the backs stand where their edges are, seen from there") {
   const mesh::Surface surface = test::sphere(12, 7);
   const auto sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface));
   export_::Style style;
-  const auto front = export_::draw(sample.model, sample.nets, sample.pages, style);
+  const auto front = export_::draw({sample.model, sample.nets, sample.pages}, style);
   style.numbers = export_::Numbers::back;
   style.turned_over = GENERATE(export_::TurnedOver::long_edge, export_::TurnedOver::short_edge);
-  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, style);
+  const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, style);
   REQUIRE(pages.size() == front.size());
   const auto texts_of = [](const std::vector<export_::Group>& groups) {
     std::vector<export_::Text> texts;
@@ -209,7 +209,7 @@ TEST_CASE("the back of a sheet is calibrated as its front is") {
   const test::SamplePages sample = test::sample_pages(surface, 60.0, 5.0, test::all_edges(surface), "Ball");
   export_::Style style;
   style.numbers = export_::Numbers::back;
-  const export_::Drawing meant = export_::draw(sample.model, sample.nets, sample.pages, style)[0];
+  const export_::Drawing meant = export_::draw({sample.model, sample.nets, sample.pages}, style)[0];
   const Vec2 measured{104.0, 97.0};
   const export_::Drawing drawn = export_::calibrated(meant, measured);
   REQUIRE_FALSE(meant.back.empty());
@@ -256,7 +256,7 @@ TEST_CASE("the scale bar of a printed PDF is 50 mm long") {
     return;
   }
   const auto sample = test::sample_pages(test::cube(), 30.0, 5.0);
-  const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+  const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
   const TemporaryFile file(export_::write_pdf(pages, {"ridgecraft test", "Cube", "0123456789abcdef"}),
                            ".bar.pdf");
   const Outcome outcome = run("pdftoppm -gray -r 600 " + file.name());
@@ -362,7 +362,7 @@ TEST_CASE("a PNG has the page's pixels, its scale and its mark") {
 TEST_CASE("names in any script and broken ones make clean files") {
   for (const std::string name : {"Füchsin_狐", "🦊 fox", "\xff\xfe", "(a) \\ <b>", ""}) {
     const auto sample = test::sample_pages(test::cube(), 20.0, 4.0, {}, name, export_::parse_paper("A6"));
-    const auto pages = export_::draw(sample.model, sample.nets, sample.pages, {});
+    const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
     const export_::Mark mark{"ridgecraft test", name, "00000000000000aa"};
     const std::string bytes = export_::write_pdf(pages, mark);
     CHECK(export_::read_mark_digest(bytes) == "00000000000000aa");

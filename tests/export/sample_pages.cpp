@@ -56,7 +56,7 @@ void add_tabs(const mesh::Surface& surface, unfold::Nets& nets, double height) {
 }  // namespace
 
 std::vector<export_::Drawing> drawings(const SamplePages& sample) {
-  return export_::draw(sample.model, sample.nets, sample.pages, {});
+  return export_::draw({sample.model, sample.nets, sample.pages}, {});
 }
 
 std::vector<EdgeId> all_edges(const mesh::Surface& surface) {

@@ -155,7 +155,7 @@ TEST_CASE(
   export_::Style style;
   style.numbers = export_::Numbers::back;
   style.tab_shadows = true;
-  export_::Drawing page = export_::draw(sample.model, sample.nets, sample.pages, style)[0];
+  export_::Drawing page = export_::draw({sample.model, sample.nets, sample.pages}, style)[0];
   REQUIRE_FALSE(page.back.empty());
   export_::Text name = page.back[0].texts.at(0);
   name.layer = export_::Layer::glue;
