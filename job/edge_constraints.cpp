@@ -182,8 +182,8 @@ void require_points(const std::optional<EdgeList>& list, const mesh::Model& mode
 
 }  // namespace
 
-void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
-                std::vector<std::string>& notes) {
+void apply_edge_requests(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
+                         std::vector<std::string>& notes) {
   require_points(edges.cut, model);
   require_points(edges.keep, model);
   if (edges.from) {

@@ -11,7 +11,6 @@
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
 #include "prepare/prepared/prepared.hpp"
-#include "prepare/prepared/skin_report.hpp"
 #include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::job {
@@ -21,8 +20,8 @@ namespace ridgecraft::job {
 /// is named. Marks are dropped where nets made before decide,
 /// and where they stand at most of the edges: such a file means something else by them. Notes say what wasn't
 /// asked for. Throws Error(unreadable_input) where an edge is named by a point that the model doesn't have.
-void heed_edges(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
-                std::vector<std::string>& notes);
+void apply_edge_requests(const EdgeRequests& edges, mesh::Model& model, prepare::SimplifyOptions& simplify,
+                         std::vector<std::string>& notes);
 
 /// Edges that are named belong to one size: where the user asked for none it is that of nets made before, or
 /// the usual one.

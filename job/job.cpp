@@ -25,8 +25,8 @@
 #include "job/unfold_options.hpp"
 #include "job/verdict.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/prepared/expected_pages.hpp"
-#include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "unfold/tabs_of_nets.hpp"
 #include "unfold/unfold.hpp"
 
@@ -174,16 +174,16 @@ std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Mode
 
 /// What was done to the bodies; where that is nothing, they are kept.
 void take_over(const OneSkin& skin, Paper& made) {
-  made.ready = skin.ready;
+  made.cleanup = skin.cleanup;
   made.skin = skin.skin;
   made.options.bodies = skin.changed() ? prepare::Bodies::unite : prepare::Bodies::keep;
 }
 
 /// Bodies that were parted are no longer those of the file, as if they had been united.
-void take_over_standing(Paper& made) {
-  const bool as_before = made.options.edges.from && made.options.simplify.part_standing;
-  made.options.simplify.part_standing = made.prepared.standing > 0 || as_before;
-  if (made.options.simplify.part_standing) {
+void take_over_attached(Paper& made) {
+  const bool as_before = made.options.edges.from && made.options.simplify.part_attached;
+  made.options.simplify.part_attached = made.prepared.attached > 0 || as_before;
+  if (made.options.simplify.part_attached) {
     made.options.bodies = prepare::Bodies::unite;
   }
 }
@@ -224,20 +224,21 @@ void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
 }
 
 /// What was done to the bodies before they were united is a part of what was done to the model.
-void add_ready(const prepare::SimplifyReport& ready, double mm_per_unit, prepare::SimplifyReport& report) {
-  if (ready.faces_before > 0) {
-    report.faces_before = ready.faces_before;
-    report.deviation_mm += mm_per_unit * ready.deviation_mm;
-    report.evened_mm = std::max(report.evened_mm, mm_per_unit * ready.evened_mm);
-    report.features_removed += ready.features_removed;
-    report.rulings_removed += ready.rulings_removed;
+void add_cleanup(const prepare::SimplifyReport& cleanup, double mm_per_unit,
+                 prepare::SimplifyReport& report) {
+  if (cleanup.faces_before > 0) {
+    report.faces_before = cleanup.faces_before;
+    report.deviation_mm += mm_per_unit * cleanup.deviation_mm;
+    report.asymmetry_mm = std::max(report.asymmetry_mm, mm_per_unit * cleanup.asymmetry_mm);
+    report.features_removed += cleanup.features_removed;
+    report.rulings_removed += cleanup.rulings_removed;
   }
 }
 
 /// Lengths on paper that were told at another size.
-void rescale(prepare::ReadyReport& ready, double factor) {
-  ready.plain.moved_mm *= factor;
-  ready.sheets.thickness_mm *= factor;
+void rescale(prepare::CleanupReport& cleanup, double factor) {
+  cleanup.proxies.moved_mm *= factor;
+  cleanup.thin_walls.thickness_mm *= factor;
 }
 
 /// Tabs anew, as the options ask for them.
@@ -292,11 +293,11 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     made.options.size.largest_extent_mm =
         options.extent->mm * largest_share(model, options.extent->kind, made.up);
   }
-  heed_edges(options.edges, model, made.options.simplify, notes);
+  apply_edge_requests(options.edges, model, made.options.simplify, notes);
   use_size_of_nets(options.edges, model, made.options.size);
   made.options.bodies = bodies_for(options.edges, options.bodies);
   made.options.simplify.skins = skins_for(options.edges, options.simplify.skins);
-  made.options.simplify.part_standing =
+  made.options.simplify.part_attached =
       parts_standing_for(options.edges, options.bodies == prepare::Bodies::unite &&
                                             made.options.simplify.mode != prepare::Simplification::keep);
   const double units = model.file_scale;
@@ -332,7 +333,7 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
     }
     made.options.size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
     if (made.options.size.judged_at_mm) {
-      rescale(made.ready, made.options.size.largest_extent_mm / judged_at_mm);
+      rescale(made.cleanup, made.options.size.largest_extent_mm / judged_at_mm);
     }
   }
   if (look) {
@@ -340,11 +341,11 @@ Paper paper(mesh::Model model, const Options& options, const Context& context, c
                                                             made.prepared.from_model.shift);
   }
   const mesh::Surface& surface = made.prepared.model.surface;
-  take_over_standing(made);
-  add_ready(made.ready.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
+  take_over_attached(made);
+  add_cleanup(made.cleanup.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
   made.searched_with = settings_of(made.options, made.seed);
   if (const std::string why =
-          verdict(made.prepared, made.options.simplify, larger_size_is_sure(made.ready, made.skin));
+          verdict(made.prepared, made.options.simplify, larger_size_is_sure(made.cleanup, made.skin));
       options.strict && !why.empty()) {
     throw Error(ErrorKind::unbuildable, why);
   }

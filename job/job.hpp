@@ -20,9 +20,8 @@
 #include "job/remark.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/model.hpp"
-#include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
-#include "prepare/prepared/ready_report.hpp"
 #include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
@@ -47,9 +46,9 @@ struct Paper {
   std::string edits;
   /// A ground that the model stands on (prepare::ground_name): leaving it out makes the rest larger.
   std::optional<std::string> ground;
-  mesh::Axis up = mesh::Axis::y;  ///< that points up, judged before anything of the model was changed
-  prepare::ReadyReport ready;     ///< of bodies before they were united
-  prepare::SkinReport skin;       ///< of uniting them
+  mesh::Axis up = mesh::Axis::y;   ///< that points up, judged before anything of the model was changed
+  prepare::CleanupReport cleanup;  ///< of bodies before they were united
+  prepare::SkinReport skin;        ///< of uniting them
   prepare::Prepared prepared;
   std::size_t slivers = 0;        ///< faces of it (prepare::count_slivers)
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions

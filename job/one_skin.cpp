@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "prepare/ready_bodies.hpp"
+#include "prepare/clean_bodies.hpp"
 #include "prepare/skin/skin.hpp"
 
 namespace ridgecraft::job {
@@ -21,15 +21,15 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
 }  // namespace
 
 bool OneSkin::changed() const {
-  return skin.united > 0 || skin.unseen > 0 || ready.left_out.count() > 0 || ready.plain.count > 0 ||
-         ready.sheets.walls > 0 || ready.simplified.faces_before > 0;
+  return skin.united > 0 || skin.unseen > 0 || cleanup.left_out.count() > 0 || cleanup.proxies.count > 0 ||
+         cleanup.thin_walls.walls > 0 || cleanup.simplified.faces_before > 0;
 }
 
 OneSkin one_skin(mesh::Model model, const prepare::SizeOptions& size,
                  const prepare::SimplifyOptions& simplify, const Context& context) {
   OneSkin result;
   result.model = std::move(model);
-  result.ready = prepare::ready_bodies(result.model, size, simplify, context);
+  result.cleanup = prepare::clean_bodies(result.model, size, simplify, context);
   mesh::Model apart = result.model;
   result.skin = prepare::unite_bodies(result.model, context);
   if (result.skin.united > 0 && is_tangle(result.model.surface.face_count(), apart.surface.face_count())) {
@@ -39,7 +39,7 @@ OneSkin one_skin(mesh::Model model, const prepare::SizeOptions& size,
     result.skin.left_crossing = tangled;
   }
   if (result.skin.united > 0) {
-    result.ready.left_out += prepare::leave_out_details(result.model, size, simplify, context);
+    result.cleanup.left_out += prepare::leave_out_details(result.model, size, simplify, context);
   }
   return result;
 }

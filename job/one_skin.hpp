@@ -5,14 +5,13 @@
 #include "base/context.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/prepared/ready_report.hpp"
-#include "prepare/prepared/skin_report.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
 
 struct OneSkin {
   mesh::Model model;
-  prepare::ReadyReport ready;
+  prepare::CleanupReport cleanup;
   prepare::SkinReport skin;
 
   /// Whether anything was done to the model's bodies.

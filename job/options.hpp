@@ -13,7 +13,7 @@
 #include "export/sheet/paper.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/prepared/skin_report.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "prepare/selection/selection.hpp"
 #include "unfold/net/options.hpp"
 

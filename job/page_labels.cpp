@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "prepare/panels/divided_by.hpp"
+#include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::job {
 namespace {

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "prepare/prepared/expected_pages.hpp"
-#include "prepare/prepared/largest_size.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
 namespace {

@@ -119,7 +119,7 @@ export_::Settings settings_of(Options options, std::uint64_t seed) {
     settings.erase("thickness_mm");
     settings.erase("hinge");
   }
-  if (options.simplify.part_standing) {
+  if (options.simplify.part_attached) {
     settings["standing"] = json_string("apart");
   }
   add_tabs(options, settings);

@@ -7,12 +7,12 @@
 
 #include "base/text.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/prepared/narrow_faces.hpp"
+#include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::job {
 
-bool larger_size_is_sure(const prepare::ReadyReport& ready, const prepare::SkinReport& skin) {
-  return ready.left_out.count() == 0 && ready.plain.count == 0 && ready.sheets.walls == 0 &&
+bool larger_size_is_sure(const prepare::CleanupReport& cleanup, const prepare::SkinReport& skin) {
+  return cleanup.left_out.count() == 0 && cleanup.proxies.count == 0 && cleanup.thin_walls.walls == 0 &&
          skin.gaps_closed == 0;
 }
 
@@ -28,7 +28,7 @@ std::string verdict(const prepare::Prepared& prepared, const prepare::SimplifyOp
   }
   if (prepare::has_many_slivers(prepared)) {
     reasons.push_back(fmt::format("{:.0f} % of the faces are narrower than {:g} mm",
-                                  100.0 * prepared.sliver_share, prepare::sliver_mm));
+                                  100.0 * prepared.sliver_fraction, prepare::sliver_mm));
   }
   const std::string size =
       prepared.smallest_size_mm

@@ -9,8 +9,7 @@
 
 #include "base/error.hpp"
 #include "prepare/at_size.hpp"
-#include "prepare/prepared/expected_pages.hpp"
-#include "prepare/prepared/seen_move.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -25,7 +24,7 @@ constexpr int most_tries = 16;
 /// Of larger models other sizes aren't tried: they take too long, and too much memory.
 constexpr std::size_t most_tried_faces = 200000;
 /// Trying has at most this share of the time that there is.
-constexpr double time_share = 0.3;
+constexpr double time_fraction = 0.3;
 /// Where a model can't be folded, folds that are by these factors longer are tried to be left only.
 constexpr double coarser_step = 1.5;
 constexpr double most_coarser = 3.5;
@@ -53,11 +52,11 @@ double allowed_slivers(const Prepared& prepared) {
 bool suits(const Prepared& prepared) {
   const auto faces = static_cast<double>(prepared.model.surface.face_count());
   const double turned = static_cast<double>(prepared.simplified.edges_turned) / faces;
-  return can_be_folded(prepared) && prepared.sliver_share + turned <= allowed_slivers(prepared);
+  return can_be_folded(prepared) && prepared.sliver_fraction + turned <= allowed_slivers(prepared);
 }
 
 bool is_cramped(const Prepared& prepared) {
-  return prepared.simplified.cramped_share > most_cramped;
+  return prepared.simplified.cramped_fraction > most_cramped;
 }
 
 bool is_spoilt(const Prepared& prepared) {
@@ -77,7 +76,7 @@ class SizeSearch {
  public:
   SizeSearch(const mesh::Model& model, const SimplifyOptions& simplify, const PanelRoom& room,
              const Context& context)
-      : model_(model), simplify_(simplify), room_(room), context_(until_deadline(context, time_share)) {}
+      : model_(model), simplify_(simplify), room_(room), context_(until_deadline(context, time_fraction)) {}
 
   /// Whether the program says how far, and not who asks for a number of faces.
   [[nodiscard]] bool simplifies() const { return simplify_.mode == Simplification::automatic; }
@@ -97,8 +96,9 @@ class SizeSearch {
   [[nodiscard]] std::optional<Prepared> roomier(const Prepared& usual, const SizeOptions& size) const {
     std::optional<Prepared> best;
     constexpr double unbeaten = -1.0;
-    double to_beat =
-        is_cramped(usual) ? std::max(most_cramped, worth_paper * usual.simplified.cramped_share) : unbeaten;
+    double to_beat = is_cramped(usual)
+                         ? std::max(most_cramped, worth_paper * usual.simplified.cramped_fraction)
+                         : unbeaten;
     in_time([&] {
       for_larger(extent_of(usual), size.largest_mm, [&](Prepared found) {
         if (pages(found) > size.most_pages) {
@@ -107,7 +107,7 @@ class SizeSearch {
         if (!suits(found)) {
           return true;
         }
-        const double share = found.simplified.cramped_share;
+        const double share = found.simplified.cramped_fraction;
         const bool enough = !is_cramped(found) && !is_spoilt(found);
         const bool no_worse = !is_spoilt(found) || is_spoilt(usual);
         if (enough || (no_worse && share <= to_beat)) {
@@ -204,92 +204,109 @@ class SizeSearch {
   Context context_;
 };
 
-/// Coarser, where it can't be folded or lacks room as it is, and has room so.
-std::optional<Prepared> roomy_if_coarser(const Prepared& usual, const SizeOptions& size,
-                                         const SizeSearch& search) {
-  if (can_be_folded(usual) && !is_cramped(usual)) {
-    return std::nullopt;
-  }
-  return search.coarser(size, is_roomy);
-}
+/// A preparation that becomes better phase by phase.
+class SizeChoice {
+ public:
+  SizeChoice(Prepared usual, const SizeOptions& size, const SizeSearch& search)
+      : best_(std::move(usual)), size_(size), search_(search) {}
 
-/// Coarser, where it doesn't suit as it is.
-Prepared foldable_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  if (suits(usual)) {
-    return usual;
+  /// As it is best at its size, the same whether a user asks for that size or not. Where it can't be folded,
+  /// with the smallest size at which it can.
+  Prepared at_its_size() {
+    coarsen();
+    if (!can_be_folded(best_)) {
+      search_.larger(extent_of(best_), can_be_folded, best_.smallest_size_mm);
+    }
+    return std::move(best_);
   }
-  if (!can_be_folded(usual)) {
-    if (std::optional<Prepared> coarser = search.coarser(size, can_be_folded)) {
-      return std::move(*coarser);
+
+  /// Of the size that it has by default, or of another one between the limits that suits it better.
+  Prepared at_fitting_size() {
+    make_foldable();
+    if (!suits(best_)) {
+      return std::move(best_);
+    }
+    const double pages = search_.pages(best_);
+    const double fitting_mm = std::max(
+        size_.smallest_mm, whole_centimetres(extent_of(best_) * std::sqrt(size_.most_pages / pages)));
+    if (pages > size_.most_pages && fitting_mm < extent_of(best_)) {
+      if (replace(search_.smaller(fitting_mm))) {
+        best_.size_reason = SizeReason::pages;
+        return std::move(best_);
+      }
+    } else {
+      make_roomy();
+    }
+    size_.largest_extent_mm = extent_of(best_);
+    coarsen();
+    return std::move(best_);
+  }
+
+ private:
+  static double whole_centimetres(double mm) { return centimetre * std::floor(mm / centimetre); }
+
+  /// Whether there is a better one; it is of the same size for the same reason.
+  bool replace(std::optional<Prepared> better) {
+    if (better) {
+      better->size_reason = best_.size_reason;
+      best_ = std::move(*better);
+    }
+    return better.has_value();
+  }
+
+  /// Where it can't be folded or lacks room as it is, and has room when it is coarser.
+  bool coarsen_for_room() {
+    return (!can_be_folded(best_) || is_cramped(best_)) && replace(search_.coarser(size_, is_roomy));
+  }
+  void coarsen_for_folds() {
+    if (!can_be_folded(best_)) {
+      replace(search_.coarser(size_, can_be_folded));
     }
   }
-  return usual;
-}
-
-/// As it is best at its size, the same whether somebody asked for that size or not.
-Prepared best_at_its_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  if (std::optional<Prepared> coarser = roomy_if_coarser(usual, size, search)) {
-    return std::move(*coarser);
-  }
-  return foldable_at_its_size(std::move(usual), size, search);
-}
-
-/// Of a size at which it can be folded, if there is one within the limits.
-Prepared of_foldable_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  if (suits(usual)) {
-    return usual;
-  }
-  if (std::optional<Prepared> coarser = roomy_if_coarser(usual, size, search)) {
-    return std::move(*coarser);
-  }
-  std::optional<double> foldable_mm;
-  std::optional<Prepared> larger = search.larger(extent_of(usual), suits, foldable_mm);
-  if (larger && extent_of(*larger) <= size.largest_mm && search.pages(*larger) <= size.most_pages) {
-    larger->size_reason = SizeReason::folds;
-    return std::move(*larger);
-  }
-  Prepared best = foldable_at_its_size(std::move(usual), size, search);
-  if (!can_be_folded(best)) {
-    best.smallest_size_mm = foldable_mm;
-  }
-  return best;
-}
-
-/// Of the size that it has by default, or of another one between the limits that suits it better.
-Prepared of_fitting_size(Prepared usual, const SizeOptions& size, const SizeSearch& search) {
-  Prepared foldable = of_foldable_size(std::move(usual), size, search);
-  if (!suits(foldable)) {
-    return foldable;
-  }
-  const double pages = search.pages(foldable);
-  const double fitting = std::max(
-      size.smallest_mm,
-      centimetre * std::floor(extent_of(foldable) * std::sqrt(size.most_pages / pages) / centimetre));
-  if (pages > size.most_pages && fitting < extent_of(foldable)) {
-    if (std::optional<Prepared> smaller = search.smaller(fitting)) {
-      smaller->size_reason = SizeReason::pages;
-      return std::move(*smaller);
-    }
-  } else if (is_cramped(foldable) || (search.simplifies() && is_spoilt(foldable))) {
-    if (std::optional<Prepared> roomier = search.roomier(foldable, size)) {
-      roomier->size_reason = foldable.size_reason != SizeReason::none ? foldable.size_reason
-                             : is_cramped(foldable)                   ? SizeReason::room
-                                                                      : SizeReason::shape;
-      foldable = std::move(*roomier);
+  void coarsen() {
+    if (!coarsen_for_room()) {
+      coarsen_for_folds();
     }
   }
-  SizeOptions same = size;
-  same.largest_extent_mm = extent_of(foldable);
-  const SizeReason reason = foldable.size_reason;
-  foldable = best_at_its_size(std::move(foldable), same, search);
-  foldable.size_reason = reason;
-  return foldable;
-}
+
+  /// At a larger size within the limits where it can't be folded at its own.
+  void make_foldable() {
+    if (suits(best_) || coarsen_for_room()) {
+      return;
+    }
+    std::optional<double> foldable_mm;
+    std::optional<Prepared> larger = search_.larger(extent_of(best_), suits, foldable_mm);
+    if (larger && extent_of(*larger) <= size_.largest_mm && search_.pages(*larger) <= size_.most_pages) {
+      replace(std::move(larger));
+      best_.size_reason = SizeReason::folds;
+      return;
+    }
+    coarsen_for_folds();
+    if (!can_be_folded(best_)) {
+      best_.smallest_size_mm = foldable_mm;
+    }
+  }
+
+  /// At a larger size where tabs and numbers lack room or simplification is seen.
+  void make_roomy() {
+    const bool cramped = is_cramped(best_);
+    if (!cramped && !(search_.simplifies() && is_spoilt(best_))) {
+      return;
+    }
+    if (replace(search_.roomier(best_, size_)) && best_.size_reason == SizeReason::none) {
+      best_.size_reason = cramped ? SizeReason::room : SizeReason::shape;
+    }
+  }
+
+  Prepared best_;
+  SizeOptions size_;
+  const SizeSearch& search_;
+};
 
 }  // namespace
 
 bool has_many_slivers(const Prepared& prepared) {
-  return prepared.sliver_share > allowed_slivers(prepared);
+  return prepared.sliver_fraction > allowed_slivers(prepared);
 }
 
 bool can_be_folded(const Prepared& prepared) {
@@ -297,9 +314,10 @@ bool can_be_folded(const Prepared& prepared) {
 }
 
 bool is_as_good(const Prepared& prepared, const Prepared& other) {
-  return suits(prepared) && prepared.sliver_share <= other.sliver_share &&
+  return suits(prepared) && prepared.sliver_fraction <= other.sliver_fraction &&
          prepared.model.surface.component_count() <= other.model.surface.component_count() &&
-         prepared.simplified.cramped_share <= std::max(hardly_cramped, other.simplified.cramped_share) &&
+         prepared.simplified.cramped_fraction <=
+             std::max(hardly_cramped, other.simplified.cramped_fraction) &&
          (!is_spoilt(prepared) || is_spoilt(other));
 }
 
@@ -314,14 +332,8 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
     return prepared;
   }
   const SizeSearch search(*kept, simplify, room, context);
-  if (size.adapts) {
-    return of_fitting_size(std::move(prepared), size, search);
-  }
-  prepared = best_at_its_size(std::move(prepared), size, search);
-  if (!can_be_folded(prepared)) {
-    search.larger(extent_of(prepared), can_be_folded, prepared.smallest_size_mm);
-  }
-  return prepared;
+  SizeChoice choice(std::move(prepared), size, search);
+  return size.adapts ? choice.at_fitting_size() : choice.at_its_size();
 }
 
 Prepared prepare_as_asked(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,

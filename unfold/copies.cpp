@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "prepare/prepared/twin_bodies.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 

@@ -16,7 +16,7 @@
 #include "cli/report/net_figures.hpp"
 #include "export/view/camera.hpp"
 #include "job/verdict.hpp"
-#include "prepare/prepared/seen_move.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "prepare/selection/selection.hpp"
 
 namespace ridgecraft::cli {
@@ -102,14 +102,14 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(std::move(edges));
   }
   const prepare::SkinReport& skin = made.skin;
-  if (made.ready.sheets.walls > 0) {
-    clauses.push_back(sheets_text(made.ready.sheets));
+  if (made.cleanup.thin_walls.walls > 0) {
+    clauses.push_back(thin_walls_text(made.cleanup.thin_walls));
   }
-  if (made.ready.left_out.count() > 0) {
-    clauses.push_back(details_text(made.ready.left_out) + " left out (--keep-bodies keeps them)");
+  if (made.cleanup.left_out.count() > 0) {
+    clauses.push_back(details_text(made.cleanup.left_out) + " left out (--keep-bodies keeps them)");
   }
-  if (made.ready.plain.count > 0) {
-    clauses.push_back(plain_text(made.ready.plain) + " (--keep-bodies keeps them)");
+  if (made.cleanup.proxies.count > 0) {
+    clauses.push_back(proxies_text(made.cleanup.proxies) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
@@ -188,8 +188,8 @@ std::string numbers_without_room(const PaperJob& job, const PaperResult& result)
 std::string hard_line(const PaperJob& job, const PaperResult& result, const GlueFigures& glue) {
   const job::Paper& made = result.made;
   Clauses clauses;
-  if (std::string why =
-          job::verdict(made.prepared, made.options.simplify, job::larger_size_is_sure(made.ready, made.skin));
+  if (std::string why = job::verdict(made.prepared, made.options.simplify,
+                                     job::larger_size_is_sure(made.cleanup, made.skin));
       !why.empty()) {
     clauses.push_back(std::move(why));
   }
@@ -275,7 +275,7 @@ std::string next_line(const PaperJob& job, const PaperResult& result, const Glue
   }
   if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
-                                  job::larger_size_is_sure(made.ready, made.skin) ? "can" : "may"));
+                                  job::larger_size_is_sure(made.cleanup, made.skin) ? "can" : "may"));
   } else if (lacks_tabs(made, glue)) {
     clauses.emplace_back("--all-tabs gives more of the seams tabs, with more pieces");
   } else if (made.share_saving_a_page && made.slivers == 0) {
@@ -307,7 +307,7 @@ std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
   return {found.begin(), found.end()};
 }
 
-std::string sheets_text(const prepare::SheetsReport& sheets) {
+std::string thin_walls_text(const prepare::ThinWallReport& sheets) {
   if (sheets.thickness_mm < 0.05) {
     return sheets.walls == 1 ? "two skins in one place became one"
                              : "skins that lay in one place twice became one";
@@ -335,7 +335,7 @@ std::string details_text(const prepare::Details& details) {
   return listed(clauses, "and");
 }
 
-std::string plain_text(const prepare::PlainBodies& plain) {
+std::string proxies_text(const prepare::BlockProxies& plain) {
   return plain.count == 1
              ? fmt::format(
                    "1 small body with many short edges made a plain block, up to {:.1f} mm away from it",

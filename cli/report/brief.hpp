@@ -25,14 +25,14 @@ void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result)
 [[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
 
 /// That simplification moved a model with these bounds (mm) so far that it is seen
-/// (prepare/prepared/seen_move.hpp); empty where it isn't.
+/// (prepare/prepared/prepared.hpp); empty where it isn't.
 [[nodiscard]] std::string where_it_differs(double moved_mm, const Box3& bounds);
 
 /// "a thin wall of up to 1.2 mm became a sheet".
-[[nodiscard]] std::string sheets_text(const prepare::SheetsReport& sheets);
+[[nodiscard]] std::string thin_walls_text(const prepare::ThinWallReport& sheets);
 
 /// "12 small bodies with many short edges made plain blocks, up to 4.2 mm away from them".
-[[nodiscard]] std::string plain_text(const prepare::PlainBodies& plain);
+[[nodiscard]] std::string proxies_text(const prepare::BlockProxies& plain);
 
 /// "17 small bodies and 4 flat bodies that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);

@@ -45,28 +45,29 @@ void add_skin(Summary& summary, const job::Paper& made) {
   summary.add("united", Value::Object{{"bodies_before", skin.united},
                                       {"bodies_after", skin.united_into},
                                       {"faces_hidden", skin.faces_hidden},
-                                      {"hidden_share", rounded(skin.hidden_share)},
+                                      {"hidden_share", rounded(skin.hidden_fraction)},
                                       {"openings_closed", skin.rims_closed},
                                       {"gaps_closed", skin.gaps_closed},
                                       {"unseen", skin.unseen},
                                       {"left_crossing", skin.left_crossing},
-                                      {"standing", made.prepared.standing}});
-  const prepare::Details& details = made.ready.left_out;
+                                      {"standing", made.prepared.attached}});
+  const prepare::Details& details = made.cleanup.left_out;
   summary.add("left_out",
               Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
-  const prepare::PlainBodies& plain = made.ready.plain;
+  const prepare::BlockProxies& plain = made.cleanup.proxies;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
-  const prepare::SheetsReport& sheets = made.ready.sheets;
+  const prepare::ThinWallReport& sheets = made.cleanup.thin_walls;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
   if (sheets.walls > 0) {
-    summary.say(Line::skin, "thin walls", sheets_text(sheets) + " (--skins both leaves inside and outside)");
+    summary.say(Line::skin, "thin walls",
+                thin_walls_text(sheets) + " (--skins both leaves inside and outside)");
   }
   if (details.count() > 0) {
     summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
   }
   if (plain.count > 0) {
-    summary.say(Line::skin, "plain", plain_text(plain) + " (--keep-bodies keeps them)");
+    summary.say(Line::skin, "plain", proxies_text(plain) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     summary.say(
@@ -75,14 +76,14 @@ void add_skin(Summary& summary, const job::Paper& made) {
             "{} into {}{}; {:.0f} % of their area was hidden, with {} (--keep-bodies leaves them)",
             bodies_text(skin.united), skin.united_into,
             skin.rims_closed == 0 ? "" : fmt::format(", {} closed", counted(skin.rims_closed, "opening")),
-            100.0 * skin.hidden_share, counted(skin.faces_hidden, "whole face")));
+            100.0 * skin.hidden_fraction, counted(skin.faces_hidden, "whole face")));
   }
   if (skin.unseen > 0) {
     summary.say(Line::skin, "unseen",
                 bodies_text(skin.unseen) + " left out (--keep-bodies leaves " +
                     (skin.unseen == 1 ? "it" : "them") + " in)");
   }
-  if (const std::size_t standing = made.prepared.standing; standing > 0) {
+  if (const std::size_t standing = made.prepared.attached; standing > 0) {
     summary.say(Line::skin, "standing",
                 standing == 1
                     ? "1 body stands on a flat face of another one and is glued onto it"
@@ -101,13 +102,13 @@ Value simplified_value(const prepare::SimplifyReport& report) {
   return Value::Object{{"faces_before", report.faces_before},
                        {"faces_after", report.faces_after},
                        {"deviation_mm", rounded(report.deviation_mm)},
-                       {"evened_mm", rounded(report.evened_mm)},
+                       {"evened_mm", rounded(report.asymmetry_mm)},
                        {"features_removed", report.features_removed},
                        {"rulings_removed", report.rulings_removed},
                        {"short_edges_before", rounded(report.short_edges_before)},
                        {"short_edges_after", rounded(report.short_edges_after)},
                        {"tiny_edges_after", rounded(report.tiny_edges_after)},
-                       {"cramped_share", rounded(report.cramped_share)},
+                       {"cramped_share", rounded(report.cramped_fraction)},
                        {"still_too_fine", report.still_too_fine}};
 }
 
@@ -128,9 +129,10 @@ void say_simplified(Summary& summary, const job::Paper& made) {
   }
   // Less is rounding in the file.
   constexpr double seen_mm = 0.005;
-  if (report.evened_mm >= seen_mm) {
-    summary.say(Line::simplified, "symmetric",
-                fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.evened_mm));
+  if (report.asymmetry_mm >= seen_mm) {
+    summary.say(
+        Line::simplified, "symmetric",
+        fmt::format("both sides are equal now; they differed by up to {:.2f} mm", report.asymmetry_mm));
   }
   if (report.rulings_removed > 0) {
     summary.say(Line::simplified, "wider",
@@ -140,8 +142,8 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const std::string why =
-          job::verdict(made.prepared, made.options.simplify, job::larger_size_is_sure(made.ready, made.skin));
+  if (const std::string why = job::verdict(made.prepared, made.options.simplify,
+                                           job::larger_size_is_sure(made.cleanup, made.skin));
       !why.empty()) {
     const std::optional<double>& size = made.prepared.smallest_size_mm;
     summary.say(Line::simplified, "too fine",

@@ -7,17 +7,28 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/collapses/collapse_rules.hpp"
-#include "prepare/shares/collapse.hpp"
+#include "prepare/domains/domain.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 
-/// Collapses by least quadric error (Garland, Heckbert: mesh::Surface simplification using quadric error
+/// What guides and limits the collapses besides the quadric error.
+struct CollapseRules {
+  /// The error is multiplied by (length / short_edge)^power: with a power above 0 short edges go first.
+  double short_edge = 1.0;
+  double power = 0.0;
+  /// Where given, the surface may not leave this field around the original one, nor move farther from any
+  /// part of the original than largest_deviation.
+  mesh::NearField* field = nullptr;
+  double largest_deviation = 0.0;
+};
+
+/// Collapses by least quadric error (Garland, Heckbert: Surface simplification using quadric error
 /// metrics, 1997; CGAL's implementation) down to `faces` faces, or until no collapse is left that keeps the
 /// surface manifold without flipping or folding faces. Borders and sharp edges stay by the planes they add.
-/// Of a share of a symmetric whole the errors are those of the whole, and no edge or face comes to lie
+/// Of a domain of a symmetric whole the errors are those of the whole, and no edge or face comes to lie
 /// between points of a plane but its border. Vertices of walls stay in their planes, and no wall vanishes.
 /// Faces are counted in the whole. The input must fulfil mesh::Surface's invariants. O(n log n).
 [[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,

@@ -9,28 +9,29 @@
 #include <span>
 #include <utility>
 
+#include "base/no_index.hpp"
 #include "base/order.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Of all edges, the share that is considered in a pass: those of least error.
+/// Of all edges, the fraction that is considered in a pass: those of least error.
 constexpr double considered = 0.5;
 /// The largest error among these is estimated from about so many edges.
 constexpr std::size_t sample_size = 20000;
-/// After a pass that removes less than this share of the faces, more edges are considered, ...
+/// After a pass that removes less than this fraction of the faces, more edges are considered, ...
 constexpr double good_progress = 0.2;
-constexpr double larger_share = 1.4;
-/// ... and one of all edges that removes less than this share is the last one.
+constexpr double larger_fraction = 1.4;
+/// ... and one of all edges that removes less than this fraction is the last one.
 constexpr double least_progress = 0.01;
 /// Cosine of how far a face may turn in one collapse.
 constexpr double largest_turn_cosine = 0.5;
 /// Smallest height over longest side of a new face where the old one wasn't worse.
 constexpr double thinnest_new_face = 0.02;
-/// Pull towards the middle of an edge, as a share of the quadric's growth: it decides where the surface is
+/// Pull towards the middle of an edge, as a fraction of the quadric's growth: it decides where the surface is
 /// flat.
 constexpr double pull = 1e-3;
-/// Error of an edge as a share of its squared length, for the same reason.
+/// Error of an edge as a fraction of its squared length, for the same reason.
 constexpr double flat_error = 1e-6;
 
 using Corners = std::array<std::uint32_t, 3>;
@@ -103,7 +104,7 @@ class QuickCollapses {
         sums_(points_.size()),
         bound_(points_.size(), 0) {
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
-      bound_[v] = rules.plane[v] != PointRules::none ? 1 : 0;
+      bound_[v] = rules.plane[v] != no_index ? 1 : 0;
     }
     for (const PointRules::Crossing& c : rules.crossings) {
       bound_[c.point] = bound_[c.end] = bound_[c.image_of_end] = 1;
@@ -136,17 +137,17 @@ class QuickCollapses {
   }
 
   std::vector<Collapse> run(std::size_t faces, const Context& context) {
-    double share = considered;
+    double fraction = considered;
     while (all_ > faces) {
       context.check();
       const std::size_t before = all_;
-      pass(faces, share);
+      pass(faces, fraction);
       // Edges that can't go are tried again and again: beside them there have to be others.
       const double progress = static_cast<double>(before - all_) / static_cast<double>(before);
-      if (progress < least_progress && share == 1.0) {
+      if (progress < least_progress && fraction == 1.0) {
         break;
       }
-      share = progress < good_progress ? std::min(1.0, larger_share * share) : share;
+      fraction = progress < good_progress ? std::min(1.0, larger_fraction * fraction) : fraction;
     }
     return std::move(collapses_);
   }
@@ -168,9 +169,9 @@ class QuickCollapses {
   }
   [[nodiscard]] bool gone(std::uint32_t face) const { return faces_[face][0] == faces_[face][1]; }
 
-  void pass(std::size_t aim, double share) {
+  void pass(std::size_t aim, double fraction) {
     find_fans();
-    const Candidates candidates = least_errors(share);
+    const Candidates candidates = least_errors(fraction);
     changed_.assign(points_.size(), 0);
     const std::vector<std::uint32_t>& sides = candidates.sides;
     for (std::size_t i = 0; i < sides.size() && all_ > aim; ++i) {
@@ -234,7 +235,7 @@ class QuickCollapses {
     }
   }
 
-  [[nodiscard]] Candidates least_errors(double share) const {
+  [[nodiscard]] Candidates least_errors(double fraction) const {
     Candidates candidates;
     std::vector<float> errors;
     errors.reserve(3 * faces_.size() / 2);
@@ -257,7 +258,8 @@ class QuickCollapses {
     for (std::size_t i = 0; i < errors.size(); i += step) {
       some.push_back(errors[i]);
     }
-    const auto at = some.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(some.size() - 1));
+    const auto at =
+        some.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(some.size() - 1));
     std::nth_element(some.begin(), at, some.end());
     std::size_t kept = 0;
     for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -327,7 +329,7 @@ class QuickCollapses {
       const Shape was = shape_of(points_[v], points_[from], points_[to]);
       const Shape is = shape_of(place, points_[from], points_[to]);
       if (dot(was.normal, is.normal) < largest_turn_cosine ||
-          (is.height_share < thinnest_new_face && is.height_share < was.height_share)) {
+          (is.height_fraction < thinnest_new_face && is.height_fraction < was.height_fraction)) {
         return true;
       }
     }
@@ -336,7 +338,7 @@ class QuickCollapses {
 
   struct Shape {
     Vec3 normal;
-    double height_share;
+    double height_fraction;
   };
   static Shape shape_of(Vec3 a, Vec3 b, Vec3 c) {
     const Vec3 doubled = cross(b - a, c - a);

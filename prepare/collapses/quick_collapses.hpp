@@ -7,7 +7,7 @@
 
 #include "base/context.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/shares/collapse.hpp"
+#include "prepare/domains/domain.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {

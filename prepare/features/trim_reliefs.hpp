@@ -13,7 +13,7 @@ namespace ridgecraft::prepare {
 struct ReliefLimits {
   double height_mm = 0.0;
   /// Goes only where there is much to fold: many faces, of which most edges are short.
-  bool busy_only = false;
+  bool over_detailed_only = false;
 };
 
 /// Flattens what stands out of a wall or lies behind it by no more than that height, within a loop of the

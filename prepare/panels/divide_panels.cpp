@@ -10,6 +10,7 @@
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/geometry.hpp"
+#include "base/no_index.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/page_cuts.hpp"
 #include "prepare/panels/remesh_panels.hpp"
@@ -23,8 +24,6 @@ constexpr std::size_t most_faces = 1'000'000;
 constexpr double on_line_mm = 0.02;
 /// Kept free even where tabs have no room: what vertices near the lines may add to a cell.
 constexpr double least_strip_mm = 2.0 * on_line_mm;
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// The faces of panels that are cut, and of their neighbours, with sides that can be divided.
 class PanelCutter {
@@ -104,9 +103,9 @@ class PanelCutter {
   void know_sides(std::uint32_t f) {
     const auto& v = loose_.faces[f];
     for (std::size_t k = 0; k < 3; ++k) {
-      Ends& faces = sides_.try_emplace(key(v[k], v[(k + 1) % 3]), Ends{none, none}).first->second;
+      Ends& faces = sides_.try_emplace(key(v[k], v[(k + 1) % 3]), Ends{no_index, no_index}).first->second;
       if (faces[0] != f && faces[1] != f) {
-        faces[faces[0] == none ? 0 : 1] = f;
+        faces[faces[0] == no_index ? 0 : 1] = f;
       }
     }
   }
@@ -155,7 +154,7 @@ class PanelCutter {
     }
     if (with_links) {
       for_each_side(label, [&](std::uint32_t i, std::uint32_t j, std::uint32_t a, std::uint32_t b) {
-        if (j != none && i < j) {
+        if (j != no_index && i < j) {
           shape.links.push_back({i, j, frame.flat(place(a)), frame.flat(place(b))});
         }
       });
@@ -167,7 +166,7 @@ class PanelCutter {
     const PlaneFrame frame = frame_of(label);
     std::vector<std::array<Vec2, 2>> sides;
     for_each_side(label, [&](std::uint32_t, std::uint32_t j, std::uint32_t a, std::uint32_t b) {
-      if (j == none) {
+      if (j == no_index) {
         sides.push_back({frame.flat(place(a)), frame.flat(place(b))});
       }
     });
@@ -187,8 +186,8 @@ class PanelCutter {
       for (std::size_t k = 0; k < 3; ++k) {
         const Ends& two = sides_.at(key(v[k], v[(k + 1) % 3]));
         const std::uint32_t other = two[0] == faces[i] ? two[1] : two[0];
-        const bool inside = other != none && label_[other] == label;
-        use(i, inside ? number.at(other) : none, v[k], v[(k + 1) % 3]);
+        const bool inside = other != no_index && label_[other] == label;
+        use(i, inside ? number.at(other) : no_index, v[k], v[(k + 1) % 3]);
       }
     }
   }
@@ -205,7 +204,7 @@ class PanelCutter {
       const auto& v = loose_.faces[f];
       const Ends& two = sides_.at(key(v[0], v[1]));
       const std::uint32_t back = two[0] == f ? two[1] : two[0];
-      if (back != none && sorted(loose_.faces[back]) == sorted(v)) {
+      if (back != no_index && sorted(loose_.faces[back]) == sorted(v)) {
         divide_at_middle(back);
       }
     }
@@ -296,7 +295,7 @@ class PanelCutter {
     const Ends faces = found->second;
     sides_.erase(found);
     for (const std::uint32_t f : faces) {
-      if (f != none) {
+      if (f != no_index) {
         divide_face(f, a, b, m);
       }
     }
@@ -330,12 +329,12 @@ class PanelCutter {
     }
     DisjointSets sets(faces.size());
     for_each_side(label, [&](std::uint32_t i, std::uint32_t j, std::uint32_t, std::uint32_t) {
-      if (j != none && strip[i] == strip[j]) {
+      if (j != no_index && strip[i] == strip[j]) {
         sets.join(i, j);
       }
     });
     std::vector<std::uint32_t> cells;
-    std::vector<std::uint32_t> cell(faces.size(), none);
+    std::vector<std::uint32_t> cell(faces.size(), no_index);
     members_[label].clear();
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
       const std::uint32_t root = sets.find(i);

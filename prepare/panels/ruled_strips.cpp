@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/no_index.hpp"
+
 namespace ridgecraft::prepare {
 namespace {
-
-constexpr std::uint32_t no_line = 0xffffffffU;
 
 /// A line while strips are looked for: the sides of the regions on its left that run along it, in order.
 struct Line {
@@ -28,12 +28,12 @@ class Finder {
         regions_(regions),
         loose_(loose),
         sides_(regions.count(), 0),
-        line_of_(surface.edge_count(), no_line) {}
+        line_of_(surface.edge_count(), no_index) {}
 
   std::vector<RuledStrip> run() {
     count_sides();
     for (const EdgeId e : ids<EdgeId>(surface_.edge_count())) {
-      if (line_of_[e.value()] == no_line && surface_.sides(e)[1].valid() && regions_.on_border(e)) {
+      if (line_of_[e.value()] == no_index && surface_.sides(e)[1].valid() && regions_.on_border(e)) {
         find_line(surface_.sides(e)[0]);
       }
     }
@@ -225,14 +225,14 @@ class Finder {
   /// The line that these sides are, as one that could go; none where they aren't.
   [[nodiscard]] std::uint32_t line_along(const std::vector<CornerId>& sides, bool closed) const {
     if (sides.empty()) {
-      return no_line;
+      return no_index;
     }
     const std::uint32_t line = line_of_[surface_.edge(sides.front()).value()];
-    const bool same = line != no_line && lines_[line].sides.size() == sides.size() &&
+    const bool same = line != no_index && lines_[line].sides.size() == sides.size() &&
                       lines_[line].closed == closed &&
                       std::all_of(sides.begin(), sides.end(),
                                   [&](CornerId c) { return line_of_[surface_.edge(c).value()] == line; });
-    return same ? line : no_line;
+    return same ? line : no_index;
   }
 
   [[nodiscard]] Line turned_around(const Line& line) const {
@@ -276,7 +276,7 @@ class Finder {
         return true;
       }
       strip.lines.push_back(std::move(next.line));
-      if (at == no_line || seen_[at]) {
+      if (at == no_index || seen_[at]) {
         return false;
       }
       seen_[at] = true;

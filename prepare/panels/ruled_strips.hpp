@@ -8,7 +8,7 @@
 
 #include "mesh/model/surface.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/panels/panel_regions.hpp"
+#include "prepare/panels/regions.hpp"
 
 namespace ridgecraft::prepare {
 

@@ -49,19 +49,19 @@ struct SimplifyOptions {
   /// (and shorter than this can't be folded by hand) ...
   double tiny_edge_mm = 3.0;
   /// ... and the model is simplified when more than this share of its fold edges are.
-  double short_edge_share = 0.1;
+  double short_edge_fraction = 0.1;
   /// automatic: where faces are narrower than this, edges beside them are turned if that makes them go. 0:
   /// none.
-  double splinter_mm = 1.0;
+  double sliver_mm = 1.0;
   /// automatic: nobody builds a model of more triangles.
   std::size_t most_faces = 1000;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
   /// Walls are thin below tiny_edge_mm: their rims are lower than can be folded.
   Skins skins = Skins::outer;
-  /// What stands on a flat face becomes a component of its own, to be glued onto it, however many faces the
+  /// What rises from a flat face becomes a component of its own, to be glued onto it, however many faces the
   /// model keeps.
-  bool part_standing = false;
+  bool part_attached = false;
   /// Folds of less are drawn as no line, so they don't count; radians.
   double hidden_fold_angle = prepare::hidden_fold_angle;
 };

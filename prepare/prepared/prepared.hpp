@@ -6,14 +6,51 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "base/id.hpp"
 #include "base/vector.hpp"
 #include "mesh/look/look.hpp"
 #include "mesh/model/model.hpp"
+#include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "prepare/prepared/twin_bodies.hpp"
 
 namespace ridgecraft::prepare {
+
+/// Whether they become one skin.
+enum class Bodies { unite, keep };
+
+/// For the summary. Components are those of the surface, faces its triangles.
+struct SkinReport {
+  std::size_t united = 0;         ///< components that took part
+  std::size_t united_into = 0;    ///< components that became of them
+  std::size_t faces_hidden = 0;   ///< faces that nothing is left of: they lay inside others
+  double hidden_fraction = 0.0;   ///< of the area of these components: how much lay inside others
+  std::size_t left_crossing = 0;  ///< components that stay as they were, since no sound skin was found
+  std::size_t gaps_closed = 0;    ///< corners that ended just before another body, and touch it now
+  std::size_t unseen = 0;         ///< components that were left out, since nobody sees any of them
+  std::size_t rims_closed = 0;    ///< flat openings that were closed for it and stay closed
+};
+
+/// One of several bodies that are copies of the first of them: face i here is its face i, moved. Where it is
+/// mirrored, too, corners run the other way round: corner k of the first one's face is corner (3 - k) % 3.
+struct TwinBody {
+  bool mirrored = false;
+  std::vector<FaceId> faces;  ///< a whole component
+};
+
+/// Kinds of bodies that there are several of; the first of each kind is the one that the others are copies
+/// of, with its faces ascending.
+using TwinBodies = std::vector<std::vector<TwinBody>>;
+
+/// The corner of `image`, a copy of a face, that is its corner k.
+[[nodiscard]] constexpr CornerId twin_corner(FaceId image, unsigned k, bool mirrored) {
+  return mesh::corner(image, mirrored ? (3 - k) % 3 : k);
+}
+/// The same for the side that runs from corner k on.
+[[nodiscard]] constexpr CornerId twin_side(FaceId image, unsigned k, bool mirrored) {
+  return mesh::corner(image, mirrored ? 2 - k : k);
+}
 
 /// What simplification did, for the summary. Lengths in mm.
 struct SimplifyReport {
@@ -26,15 +63,15 @@ struct SimplifyReport {
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.
-  double evened_mm = 0.0;
+  double asymmetry_mm = 0.0;
   double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm, but not across a plate
   double short_edges_after = 0.0;
   double tiny_edges_after = 0.0;  ///< share of those that can't be folded by hand: below tiny_edge_mm
   /// Share of the length of all edges between panels that edges below short_edge_mm have: there a tab holds
   /// badly and a number finds no room, whatever made them short.
-  double cramped_share = 0.0;
+  double cramped_fraction = 0.0;
   bool at_its_size = false;     ///< some faces went at the model's size, not just before bodies were united
-  bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_share
+  bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_fraction
 };
 
 /// Why a model isn't of the size that it has by default.
@@ -68,11 +105,72 @@ struct Prepared {
   /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
   /// there is none that makes sense.
   std::optional<double> smallest_size_mm;
-  double sliver_share = 0.0;  ///< of the faces, narrower than sliver_mm
+  double sliver_fraction = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;
-  /// Components that were a part of others and stand on flat faces of these, open at their feet.
-  std::size_t standing = 0;
+  /// Components that were a part of others and are glued onto flat faces of these, open at their bases.
+  std::size_t attached = 0;
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };
+
+/// Components that were left out.
+struct Details {
+  std::size_t small = 0;  ///< too small or too narrow to be folded and held
+  std::size_t flat = 0;   ///< flat, and lying on another one
+  std::size_t low = 0;    ///< bodies that hardly stand out of another one
+
+  [[nodiscard]] std::size_t count() const { return small + flat + low; }
+  Details& operator+=(const Details& other) {
+    small += other.small;
+    flat += other.flat;
+    low += other.low;
+    return *this;
+  }
+};
+
+/// Over-detailed bodies replaced by blocks.
+struct BlockProxies {
+  std::size_t count = 0;
+  /// How far a block is from what it stands for, both ways; on paper as far as the size is known.
+  double moved_mm = 0.0;
+};
+
+/// Thin walls that became sheets.
+struct ThinWallReport {
+  std::size_t walls = 0;      ///< components
+  double thickness_mm = 0.0;  ///< of the thickest one, on paper as far as its size is known
+};
+
+/// What was done to bodies before they had their size.
+struct CleanupReport {
+  ThinWallReport thin_walls;
+  Details left_out;
+  BlockProxies proxies;
+  /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
+  /// any faces.
+  SimplifyReport simplified;
+};
+
+/// Pages of a printable area that pieces of so much area fill.
+[[nodiscard]] double pages_filled(double area, Vec2 printable);
+
+/// About how many pages the model takes: flat regions larger than half a page one each, the others by their
+/// area. O(n).
+[[nodiscard]] double expected_pages(const Prepared& prepared, Vec2 printable);
+
+/// Whether a person sees that a model was simplified.
+enum class SeenMove {
+  none,
+  of_size,       ///< it moved by 3 % of its largest extent or more
+  of_thickness,  ///< it moved by a tenth of its smallest extent or more, which a thin model looks otherwise
+                 ///< by
+};
+
+/// `moved_mm`: how far a surface with these bounds (mm) moved at most. Of what is flat, only outlines have
+/// moved: it has no thickness.
+[[nodiscard]] SeenMove seen_move(double moved_mm, const Box3& bounds);
+
+/// A hundred metres of paper model; beyond that a slip of the unit is certain, and the model is refused when
+/// it is brought to its size.
+inline constexpr double largest_size_mm = 1e5;
 
 }  // namespace ridgecraft::prepare

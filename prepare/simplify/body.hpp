@@ -4,14 +4,67 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "base/context.hpp"
+#include "mesh/model/model.hpp"
+#include "mesh/model/surface.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/collapses/collapse_sequence.hpp"
+#include "prepare/domains/domain.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/shares/share.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
+
+/// Nothing recognisable is left of a body below this many faces: a box.
+inline constexpr std::size_t fewest_faces = 12;
+/// Of bodies of more faces flat regions aren't remeshed, and the first collapses are made many at a time, ...
+inline constexpr std::size_t very_many_faces = 100000;
+/// ... down to this multiple of what needs no care.
+inline constexpr std::size_t quick = 4;
+/// They may move the surface by this fraction of what it may move.
+inline constexpr double quick_fraction = 0.1;
+
+/// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
+/// short one would give. Linear.
+[[nodiscard]] std::size_t careless_faces(const mesh::Surface& surface, double short_edge_mm);
+
+/// A domain without its copies as a model. `model` is the whole taken apart.
+[[nodiscard]] mesh::Model as_it_is(const FundamentalDomain& domain, const mesh::LooseFaces& model);
+
+/// The same with its panels remeshed.
+[[nodiscard]] mesh::Model model_of(const FundamentalDomain& domain, const mesh::LooseFaces& model,
+                                   const Context& context);
+
+/// One sequence of collapses and the model after any number of them.
+class Sequence {
+ public:
+  /// `walls` are those of the whole, `model` is the whole taken apart and must outlive it, as must the
+  /// context. Collapses down to `faces` faces, O(n log n).
+  Sequence(FundamentalDomain start, const mesh::LooseFaces& model, const Walls& walls, std::size_t faces,
+           const CollapseRules& rules, const Context& context);
+
+  [[nodiscard]] std::size_t all() const { return collapses_.size(); }
+  [[nodiscard]] std::size_t faces_after(std::size_t count) const {
+    return count == 0 ? start_.face_count() : collapses_[count - 1].faces;
+  }
+  /// Fewest collapses that leave at most so many faces; all() where that can't be reached.
+  [[nodiscard]] std::size_t count_for(std::size_t faces) const;
+  [[nodiscard]] FundamentalDomain domain(std::size_t count) const {
+    return collapsed(start_, std::span(collapses_).first(count));
+  }
+  /// Without copies. With its panels remeshed.
+  [[nodiscard]] mesh::Model after(std::size_t count) const {
+    return model_of(domain(count), *model_, *context_);
+  }
+
+ private:
+  FundamentalDomain start_;
+  const mesh::LooseFaces* model_;
+  const Context* context_;
+  std::vector<Collapse> collapses_;
+};
 
 /// What a body is part of.
 struct BodyRules {
@@ -20,13 +73,13 @@ struct BodyRules {
   double spacing_mm = 0.0;        ///< of samples for the deviation
   double largest_mm = 0.0;        ///< how far the surface may move
   std::size_t most_faces = 0;     ///< that the body and its copies may have together
+  const SimplifyOptions& options;
 };
 
-/// The share of one component, simplified as far as it must be and within what the rules allow; none where it
-/// stays as it is since it can be folded, or since simplification wouldn't help it enough. O(n log n).
-[[nodiscard]] std::optional<SymmetricShare> simplified_body(const SymmetricShare& body,
-                                                            const BodyRules& rules,
-                                                            const SimplifyOptions& options,
-                                                            const Context& context);
+/// The domain of one component, simplified as far as it must be and within what the rules allow; none where
+/// it stays as it is since it can be folded, or since simplification wouldn't help it enough. O(n log n).
+[[nodiscard]] std::optional<FundamentalDomain> simplified_body(const FundamentalDomain& body,
+                                                               const BodyRules& rules,
+                                                               const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -11,23 +12,78 @@
 
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/collapses/quick_collapses.hpp"
+#include "prepare/domains/domain.hpp"
+#include "prepare/domains/find_domain.hpp"
 #include "prepare/features/features.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "prepare/shares/share_bodies.hpp"
-#include "prepare/shares/symmetric_share.hpp"
-#include "prepare/shares/whole.hpp"
 #include "prepare/simplify/body.hpp"
-#include "prepare/simplify/many_faces.hpp"
-#include "prepare/simplify/sequence.hpp"
-#include "prepare/simplify/splinters.hpp"
-#include "prepare/simplify/thin_out.hpp"
-#include "prepare/walls/fold_figures.hpp"
+#include "prepare/simplify/slivers.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
+namespace {
+
+/// Flat regions of this many times the short edge's square stay flat: the foot of a statue.
+constexpr double large_flat = 1.0;
+
+/// Flat regions as if they were walls.
+Walls large_regions(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
+  Walls result;
+  result.walls.emplace_back();
+  result.of_face.assign(surface.face_count(), Walls::none);
+  for (const std::vector<FaceId>& faces : panels.faces) {
+    double area = 0.0;
+    for (const FaceId f : faces) {
+      area += surface.area(f);
+    }
+    if (area >= large_flat * short_edge_mm * short_edge_mm) {
+      for (const FaceId f : faces) {
+        result.of_face[f.value()] = 0;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options) {
+  return surface.face_count() > std::max(very_many_faces, options.most_faces) &&
+         surface.face_count() > 2 * quick * careless_faces(surface, options.short_edge_mm);
+}
+
+std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const SimplifyOptions& options,
+                              const Context& context) {
+  const std::size_t aim = quick * careless_faces(model.surface, options.short_edge_mm);
+  const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
+  mesh::LooseFaces faces;
+  Dense dense;
+  {
+    const Panels panels = find_panels(model.surface);
+    context.check();
+    const Walls walls = find_walls(model.surface, panels, options.short_edge_mm, Slats::are_walls);
+    if (!walls.walls.empty()) {
+      return std::nullopt;
+    }
+    context.check();
+    dense.short_edges_fraction = fold_figures(model.surface, panels, walls, options).short_fraction();
+    const mesh::LooseFaces all = mesh::take_apart(model);
+    const FundamentalDomain domain = fundamental_domain(model, symmetric_within, context);
+    dense.asymmetry_mm = domain.deviation;
+    const Walls flat = walls_of(large_regions(model.surface, panels, options.short_edge_mm), domain);
+    faces = expand(collapsed(domain, quick_collapses(domain.faces, domain.points, flat, aim,
+                                                     quick_fraction * largest_mm, context)),
+                   all);
+  }
+  dense.before = std::move(model.surface);
+  mesh::put_together(model, std::move(faces));
+  return dense;
+}
+
 namespace {
 
 /// Where a model has too many faces, bodies with so few keep theirs.
@@ -57,28 +113,30 @@ double deviation_between(const mesh::Surface& after, const mesh::Surface& before
 }
 
 /// How far the sides of a model were from being mirror images; 0 where no digit would tell.
-double evened(double unevenness, const mesh::Model& model) {
-  return unevenness > equal_sides * model.surface.bounds().largest_extent() ? unevenness : 0.0;
+double visible_asymmetry(double asymmetry, const mesh::Model& model) {
+  return asymmetry > equal_sides * model.surface.bounds().largest_extent() ? asymmetry : 0.0;
 }
 
-std::size_t face_count(const std::vector<SymmetricShare>& bodies) {
-  return std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
-                         [](std::size_t sum, const SymmetricShare& body) { return sum + body.face_count(); });
+std::size_t face_count(const std::vector<FundamentalDomain>& bodies) {
+  return std::accumulate(
+      bodies.begin(), bodies.end(), std::size_t{0},
+      [](std::size_t sum, const FundamentalDomain& body) { return sum + body.face_count(); });
 }
 
-bool has_few_faces(const SymmetricShare& body) {
+bool has_few_faces(const FundamentalDomain& body) {
   return body.face_count() <= few_faces * (1 + body.copies.size());
 }
 
 /// Each as it needs; and where they have too many faces together, those that have many get fewer, only larger
 /// walls stay, and in the end the surface may move farther. Returns whether anything changed.
-bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodies, BodyRules rules,
-                     const SimplifyOptions& options, const Context& context) {
-  const std::vector<SymmetricShare> before = bodies;
+bool simplify_bodies(const mesh::Model& model, std::vector<FundamentalDomain>& bodies, BodyRules rules,
+                     const Context& context) {
+  const SimplifyOptions& options = rules.options;
+  const std::vector<FundamentalDomain> before = bodies;
   bool changed = false;
   const auto simplify = [&](std::size_t i, std::size_t most_faces) {
     rules.most_faces = most_faces;
-    if (auto simplified = simplified_body(before[i], rules, options, context)) {
+    if (auto simplified = simplified_body(before[i], rules, context)) {
       bodies[i] = std::move(*simplified);
       changed = true;
     }
@@ -102,7 +160,7 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
     rules.largest_mm = attempt.deviation * largest_mm;
     // What those with few faces keep is lacking to the others.
     const std::size_t keep = std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
-                                             [](std::size_t sum, const SymmetricShare& body) {
+                                             [](std::size_t sum, const FundamentalDomain& body) {
                                                return sum + (has_few_faces(body) ? body.face_count() : 0);
                                              });
     const std::size_t aim = options.most_faces * 19 / 20;  // bodies count their faces only nearly
@@ -116,8 +174,8 @@ bool simplify_bodies(const mesh::Model& model, std::vector<SymmetricShare>& bodi
   return changed;
 }
 
-/// What is too shallow to be folded; and where there are too many faces, what is busy and no higher than a
-/// fold should be long. Returns how many went.
+/// What is too shallow to be folded; and where there are too many faces, what is over-detailed and no higher
+/// than a fold should be long. Returns how many went.
 std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                             const Context& context) {
   std::size_t removed = trim_reliefs(model, options, {std::min(largest_mm, options.tiny_edge_mm)}, context);
@@ -164,17 +222,17 @@ void simplify_to_fold(mesh::Model& model, const mesh::Surface& before, const Sim
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Walls walls =
       find_walls(model.surface, find_panels(model.surface), options.short_edge_mm, Slats::are_walls);
-  SymmetricShare start = symmetric_share(model, symmetric_within, context);
-  const double evened_mm = evened(start.deviation, model);
-  const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, 0};
-  std::vector<SymmetricShare> bodies = divided(start);
+  FundamentalDomain start = fundamental_domain(model, symmetric_within, context);
+  const double asymmetry_mm = visible_asymmetry(start.deviation, model);
+  const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, 0, options};
+  std::vector<FundamentalDomain> bodies = divided(start);
   start = {};  // large
-  const bool collapsed = simplify_bodies(model, bodies, rules, options, context);
-  SymmetricShare share = joined(bodies);
-  report.edges_turned = remove_splinters(share, options.splinter_mm);
+  const bool collapsed = simplify_bodies(model, bodies, rules, context);
+  FundamentalDomain domain = joined(bodies);
+  report.edges_turned = remove_slivers(domain, options.sliver_mm);
   if (changed || thinned || collapsed || report.edges_turned > 0) {
-    report.evened_mm = evened_mm;
-    take_over(model, whole(share, all), before, report, context);
+    report.asymmetry_mm = asymmetry_mm;
+    take_over(model, expand(domain, all), before, report, context);
   }
 }
 
@@ -183,21 +241,21 @@ void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   const mesh::Surface before = model.surface;
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Panels panels = find_panels(model.surface);
-  const SymmetricShare share = symmetric_share(model, symmetric_within, context);
-  report.evened_mm = evened(share.deviation, model);
-  SymmetricShare simplified;
+  const FundamentalDomain domain = fundamental_domain(model, symmetric_within, context);
+  report.asymmetry_mm = visible_asymmetry(domain.deviation, model);
+  FundamentalDomain simplified;
   // The number counts more than walls.
   for (const double factor : fewer_walls) {
     const Walls walls =
         factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm, Slats::are_walls)
                      : Walls{};
-    const Sequence sequence(share, all, walls, options.faces, {options.short_edge_mm}, context);
-    simplified = sequence.share(sequence.all());
+    const Sequence sequence(domain, all, walls, options.faces, {options.short_edge_mm}, context);
+    simplified = sequence.domain(sequence.all());
     if (sequence.faces_after(sequence.all()) <= options.faces) {
       break;
     }
   }
-  take_over(model, whole(simplified, all), before, report, context);
+  take_over(model, expand(simplified, all), before, report, context);
 }
 
 /// By collapses alone, which keep each hole and each body; where that leaves more faces than are asked for,
@@ -236,8 +294,8 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
   }
   remesh_panels(model, context);
   report.short_edges_before =
-      dense ? dense->short_edges_share : fold_figures(model.surface, options).brief_share();
-  if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_share ||
+      dense ? dense->short_edges_fraction : fold_figures(model.surface, options).short_fraction();
+  if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_fraction ||
                                                     model.surface.face_count() > options.most_faces)) {
     const mesh::Surface before = dense ? std::move(dense->before) : model.surface;
     simplify_to_fold(model, before, options, report, context);
@@ -246,10 +304,10 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
     simplify_to_count(model, options, report, context);
   }
   if (dense) {
-    report.evened_mm = std::max(report.evened_mm, evened(dense->unevenness_mm, model));
+    report.asymmetry_mm = std::max(report.asymmetry_mm, visible_asymmetry(dense->asymmetry_mm, model));
   }
   report.faces_after = model.surface.face_count();
-  report.short_edges_after = fold_figures(model.surface, options).brief_share();
+  report.short_edges_after = fold_figures(model.surface, options).short_fraction();
   return report;
 }
 

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/id.hpp"
-#include "prepare/skin/arrangement.hpp"
+#include "prepare/skin/fates.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -19,26 +18,13 @@ namespace ridgecraft::prepare {
 /// to lie on each other does so then, and no plane is tilted by more than a panel may be.
 inline constexpr double snapped = 1e-6;
 
-/// Bodies with their caps.
-struct Bodies3 {
-  static constexpr std::uint32_t no_cap = 0xffffffffU;
-
-  BodySoup soup;
-  std::vector<FaceId> face;             ///< of each triangle: of the model's surface; none for those of caps
-  std::vector<std::uint32_t> cap;       ///< of each triangle: which cap it is of, or no_cap
-  std::vector<std::uint8_t> on_ground;  ///< of each cap: the model stands on it
-  std::vector<std::uint8_t> bent;       ///< of each cap: a guess that must not be seen
-};
-
 /// A face of the skin: a piece of a triangle of the soup.
 struct SkinFacet {
-  static constexpr std::uint32_t none = 0xffffffffU;
-
   std::array<std::uint32_t, 3> corners;
   std::uint32_t triangle;  ///< or none for one of a cap that stays
 };
 
-struct OneSkin {
+struct UnitedSkin {
   /// Bodies with caps that mustn't be taken for solids: one can look into them, or sees a guess. Where there
   /// are any, nothing else is told.
   std::vector<std::uint32_t> not_solid;
@@ -56,6 +42,7 @@ struct OneSkin {
 
 /// What is seen of the bodies from outside, where they touch or run into each other (unite_bodies, skin.hpp).
 /// None where no sound skin was found. `diagonal`: of the whole model.
-[[nodiscard]] std::optional<OneSkin> meet(const Bodies3& bodies, double diagonal, const Context& context);
+[[nodiscard]] std::optional<UnitedSkin> meet(const CappedBodies& bodies, double diagonal,
+                                             const Context& context);
 
 }  // namespace ridgecraft::prepare

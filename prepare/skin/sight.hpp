@@ -3,11 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "base/boxes.hpp"
+#include "base/context.hpp"
 #include "base/vector.hpp"
+#include "mesh/model/model.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -39,5 +42,12 @@ class Sight {
   BoxTree<Box3> tree_;
   double diagonal_ = 0.0;
 };
+
+/// Leaves out the components from which one can't look out, from no place on either side of their faces, the
+/// ground open: the furniture of a house that is closed by sheets. Returns how many. Tried are 64 directions
+/// from 4 to 64 places of each face, by its size; one look that gets out is enough. Components of more than
+/// 1000 faces stay, and so does what wasn't found to be hidden after 20,000 places: three seconds. O(n log n)
+/// for n faces.
+std::size_t leave_out_unseen(mesh::Model& model, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -12,11 +12,11 @@
 
 #include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/skin/gaps.hpp"
+#include "prepare/skin/closing.hpp"
 #include "prepare/skin/meeting.hpp"
-#include "prepare/skin/rims.hpp"
-#include "prepare/skin/unseen.hpp"
+#include "prepare/skin/sight.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -200,8 +200,8 @@ class Skin {
     // Each round but the last finds that something with openings is no solid; soon all guesses go.
     constexpr std::size_t rounds_with_guesses = 3;
     for (std::size_t round = 0;; ++round) {
-      const Bodies3 bodies = bodies_of(members);
-      const std::optional<OneSkin> skin = meet(bodies, model_.surface.bounds().diagonal(), context_);
+      const CappedBodies bodies = bodies_of(members);
+      const std::optional<UnitedSkin> skin = meet(bodies, model_.surface.bounds().diagonal(), context_);
       if (!skin) {
         report_.left_crossing += members.size();
         return;
@@ -224,9 +224,9 @@ class Skin {
     }
   }
 
-  [[nodiscard]] Bodies3 bodies_of(const std::vector<std::uint32_t>& members) const {
+  [[nodiscard]] CappedBodies bodies_of(const std::vector<std::uint32_t>& members) const {
     const Surface& surface = model_.surface;
-    Bodies3 bodies;
+    CappedBodies bodies;
     std::map<VertexId, std::uint32_t> number;
     const auto vertex = [&](VertexId v) {
       const auto [at, fresh] = number.try_emplace(v, static_cast<std::uint32_t>(bodies.soup.points.size()));
@@ -253,7 +253,7 @@ class Skin {
         bodies.cap.push_back(cap);
       };
       for (const FaceId f : component.faces) {
-        add(surface.vertices(f), f, Bodies3::no_cap);
+        add(surface.vertices(f), f, no_index);
       }
       for (const Cap& cap : caps) {
         for (const auto& t : cap.triangles) {
@@ -267,7 +267,7 @@ class Skin {
   }
 
   /// The faces of bodies that changed are replaced.
-  void take(const std::vector<std::uint32_t>& members, const Bodies3& bodies, const OneSkin& skin) {
+  void take(const std::vector<std::uint32_t>& members, const CappedBodies& bodies, const UnitedSkin& skin) {
     for (std::uint32_t b = 0; b < members.size(); ++b) {
       if (skin.changed[b] == 0 && skin.around[b] == 0) {
         continue;
@@ -285,7 +285,7 @@ class Skin {
     const auto first = static_cast<std::uint32_t>(fresh_.points.size());
     fresh_.points.insert(fresh_.points.end(), skin.points.begin(), skin.points.end());
     for (const SkinFacet& facet : skin.facets) {
-      const FaceId f = facet.triangle == SkinFacet::none ? FaceId() : bodies.face[facet.triangle];
+      const FaceId f = facet.triangle == no_index ? FaceId() : bodies.face[facet.triangle];
       const auto& c = facet.corners;
       fresh_.faces.push_back({first + c[0], first + c[1], first + c[2]});
       fresh_cap_.push_back(!f.valid());
@@ -326,7 +326,7 @@ class Skin {
     }
     name_caps(stayed);
     report_.united_into = made.size() + unchanged_;
-    report_.hidden_share = std::max(0.0, 1.0 - area_after_ / area_before_);
+    report_.hidden_fraction = std::max(0.0, 1.0 - area_after_ / area_before_);
   }
 
   /// What closes an opening is of no face of the file: it is called as the faces that it has most of its

@@ -4,7 +4,7 @@
 
 #include "base/context.hpp"
 #include "mesh/model/model.hpp"
-#include "prepare/prepared/skin_report.hpp"
+#include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::prepare {
 

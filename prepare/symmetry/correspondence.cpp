@@ -11,14 +11,15 @@
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "base/order.hpp"
-#include "prepare/symmetry/nearby_points.hpp"
+#include "prepare/symmetry/isometry.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Ends of an edge may be off by this share of its length: more would pair an edge with its neighbour.
-constexpr double edge_share = 1.0 / 3.0;
+constexpr double edge_fraction = 1.0 / 3.0;
 /// Distances that differ by less than this share of the radius are the same, but for rounding.
 constexpr double same_distance = 1e-6;
 /// Squared differences of normals that differ by less are the same.
@@ -51,7 +52,7 @@ class Nearest {
   /// The one with the smallest number among the nearest; none beyond the radius.
   [[nodiscard]] std::uint32_t operator()(Vec3 p, double radius) const {
     double least = radius * radius;
-    std::uint32_t best = no_point;
+    std::uint32_t best = no_index;
     tree_.search(
         p, [&](double distance) { return distance <= least; },
         [&](std::uint32_t i) {
@@ -97,14 +98,14 @@ class Matcher {
 
  private:
   void match_places() {
-    place_.assign(here_.points.size(), no_point);
+    place_.assign(here_.points.size(), no_index);
     const Nearest there(there_.points, there_.places);
     const Nearest here(here_.points, here_.places);
     const Isometry back = isometry_.inverse();
     for (const std::uint32_t p : here_.places) {
       const Vec3 image = isometry_(here_.points[p]);
       const std::uint32_t q = there(image, radius_);
-      if (q != no_point && here(back(there_.points[q]), radius_) == p) {
+      if (q != no_index && here(back(there_.points[q]), radius_) == p) {
         place_[p] = q;
         result_.farthest = std::max(result_.farthest, length(image - there_.points[q]));
       } else {
@@ -138,7 +139,7 @@ class Matcher {
              used[static_cast<std::size_t>(found - keys.begin())]) {
         ++found;
       }
-      if (image[2] != no_point && image[1] != no_point && found != keys.end() && found->first == image) {
+      if (image[2] != no_index && image[1] != no_index && found != keys.end() && found->first == image) {
         used[static_cast<std::size_t>(found - keys.begin())] = true;
         result_.face[f] = FaceId(found->second);
       }
@@ -173,7 +174,7 @@ class Matcher {
     };
     for (const VertexId v : ids<VertexId>(from_.vertex_count())) {
       const std::uint32_t q = place_[v.value()];
-      if (q == no_point) {
+      if (q == no_index) {
         continue;
       }
       if (here_.vertices[here_.first[v.value()]] == 1 && there_.vertices[q] == 1) {
@@ -312,7 +313,7 @@ std::vector<Pairing> near_pairs(const mesh::Surface& from, const mesh::Surface& 
     const Vec3 a = isometry(edge_ends.a);
     const Vec3 b = isometry(edge_ends.b);
     const Vec3 middle = 0.5 * (a + b);
-    const double reach = std::min(radius, edge_share * from.length(e));
+    const double reach = std::min(radius, edge_fraction * from.length(e));
     const Vec3 own = isometry.turn(outwards(from, e));
     tree.search(
         middle, [&](double distance) { return distance <= reach * reach; },

@@ -10,13 +10,75 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "base/disjoint_sets.hpp"
+#include "base/no_index.hpp"
 #include "base/order.hpp"
 #include "mesh/model/surface_distance.hpp"
-#include "prepare/symmetry/area_frame.hpp"
-#include "prepare/symmetry/nearby_points.hpp"
-#include "prepare/symmetry/outer_product.hpp"
+#include "prepare/symmetry/eigen.hpp"
+#include "prepare/symmetry/isometry.hpp"
 
 namespace ridgecraft::prepare {
+namespace {
+
+/// Corners of the part (3 * place of the face in the list + k) that are one vertex: those that neighbours
+/// within the part share.
+DisjointSets fans(const mesh::Surface& whole, std::span<const FaceId> faces) {
+  std::vector<std::pair<FaceId, std::uint32_t>> place;
+  place.reserve(faces.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    place.emplace_back(faces[i], i);
+  }
+  std::sort(place.begin(), place.end());
+  DisjointSets sets(3 * faces.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const CornerId twin = whole.twin(mesh::corner(faces[i], k));
+      if (!twin.valid()) {
+        continue;
+      }
+      const auto found =
+          std::lower_bound(place.begin(), place.end(), std::pair(mesh::face_of(twin), std::uint32_t{0}));
+      if (found == place.end() || found->first != mesh::face_of(twin)) {
+        continue;
+      }
+      const std::uint32_t other = 3 * found->second;
+      sets.join(3 * i + k, other + mesh::next(twin).value() % 3);
+      sets.join(3 * i + (k + 1) % 3, other + twin.value() % 3);
+    }
+  }
+  return sets;
+}
+
+}  // namespace
+
+PartOf part_of(const mesh::Surface& whole, std::span<const FaceId> faces) {
+  PartOf part;
+  part.face = IdVector<FaceId, FaceId>(std::vector<FaceId>(faces.begin(), faces.end()));
+  DisjointSets sets = fans(whole, faces);
+  std::vector<std::uint32_t> number(3 * faces.size(), VertexId::none_value);
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> corners(faces.size());
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    for (unsigned k = 0; k < 3; ++k) {
+      std::uint32_t& own = number[sets.find(3 * i + k)];
+      if (own == VertexId::none_value) {
+        const VertexId v = whole.vertex(mesh::corner(faces[i], k));
+        own = part.vertex.push_back(v).value();
+        points.push_back(whole.point(v));
+      }
+      corners[i][k] = VertexId(own);
+    }
+  }
+  part.surface = mesh::Surface(std::move(points), std::move(corners));
+  part.edge.resize(part.surface.edge_count());
+  for (const FaceId f : ids<FaceId>(faces.size())) {
+    for (unsigned k = 0; k < 3; ++k) {
+      part.edge[part.surface.edge(mesh::corner(f, k))] = whole.edge(mesh::corner(faces[f.value()], k));
+    }
+  }
+  return part;
+}
+
 namespace {
 
 /// Corners that a candidate is tried with at first.
@@ -184,12 +246,12 @@ class MirrorSearch {
   /// Distance of a point from the surface; any other one within `enough` where it is, and any beyond it and
   /// beyond the near tolerance where it is beyond both.
   [[nodiscard]] double distance(Vec3 p, double enough) {
-    if (tree_.nearest(p, enough) != no_point) {
+    if (tree_.nearest(p, enough) != no_index) {
       return 0.0;
     }
     if (asks_corners()) {
       const std::uint32_t corner = tree_.nearest(p, std::max(enough, near_) + longest_);
-      if (corner == no_point) {
+      if (corner == no_index) {
         return INFINITY;
       }
       return distance_by_corners(p, length(points_[corner] - p) + longest_);
@@ -256,7 +318,7 @@ class MirrorSearch {
       const Vec3 p = points_[places_[i]];
       const std::uint32_t q = tree_.nearest(plane.image(p), reach);
       ++tried;
-      if (q != no_point) {
+      if (q != no_index) {
         pairs.push_back({places_[i], q});
         sum_p += p;
         sum_q += points_[q];
@@ -320,7 +382,7 @@ class MirrorSearch {
   void look_at(std::uint32_t v, Mirror& mirror) {
     const Vec3 image = mirror.plane.image(points_[v]);
     const std::uint32_t partner = tree_.nearest(image, exact_);
-    if (partner != no_point) {
+    if (partner != no_index) {
       mirror.deviation = std::max(mirror.deviation, length(points_[partner] - image));
       return;
     }

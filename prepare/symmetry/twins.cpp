@@ -14,12 +14,13 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "base/no_index.hpp"
 #include "base/order.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/symmetry/correspondence.hpp"
+#include "prepare/symmetry/eigen.hpp"
+#include "prepare/symmetry/isometry.hpp"
 #include "prepare/symmetry/mirrors.hpp"
-#include "prepare/symmetry/nearby_points.hpp"
-#include "prepare/symmetry/outer_product.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -46,8 +47,8 @@ struct Shape {
   Vec3 centre;                       ///< of area: it doesn't depend on triangles
   double area = 0.0;
   double extent = 0.0;
-  std::uint32_t first = no_point;   ///< the farthest point from the centre
-  std::uint32_t second = no_point;  ///< the farthest from the line through both; no_point: all are on it
+  std::uint32_t first = no_index;   ///< the farthest point from the centre
+  std::uint32_t second = no_index;  ///< the farthest from the line through both; no_index: all are on it
 };
 
 double off_axis(const Shape& s, Vec3 axis, std::uint32_t i) {
@@ -82,7 +83,7 @@ Shape shape_of(const mesh::Surface& whole, const std::vector<FaceId>& faces) {
   const std::uint32_t second = *std::max_element(
       s.order.begin(), s.order.end(),
       [&](std::uint32_t i, std::uint32_t k) { return off_axis(s, axis, i) < off_axis(s, axis, k); });
-  s.second = off_axis(s, axis, second) > off_line * s.extent ? second : no_point;
+  s.second = off_axis(s, axis, second) > off_line * s.extent ? second : no_index;
   return s;
 }
 
@@ -102,7 +103,7 @@ class Aligner {
   /// Gives motions that do, until one is accepted; not more than a few of them.
   template <class Accept>
   void run(const Accept& accept) const {
-    if (from_.second == no_point || to_.second == no_point) {
+    if (from_.second == no_index || to_.second == no_index) {
       return;
     }
     const std::vector<std::array<std::uint32_t, 2>> images = possible_images();
@@ -168,7 +169,7 @@ class Aligner {
   [[nodiscard]] bool fits(const Isometry& motion, double radius, std::size_t tries) const {
     const std::size_t step = std::max<std::size_t>(1, from_.points.size() / tries);
     for (std::size_t i = 0; i < from_.points.size(); i += step) {
-      if (tree_.nearest(motion(from_.points[i]), radius) == no_point) {
+      if (tree_.nearest(motion(from_.points[i]), radius) == no_index) {
         return false;
       }
     }
@@ -182,7 +183,7 @@ class Aligner {
     Vec3 sum_q;
     for (const Vec3 p : from_.points) {
       const std::uint32_t q = tree_.nearest(rough(p), 3.0 * radius_);
-      if (q != no_point) {
+      if (q != no_index) {
         pairs.push_back({p, to_.points[q]});
         sum_p += p;
         sum_q += to_.points[q];

@@ -2,13 +2,16 @@
 // Flat regions that simplification keeps in their planes. Private to prepare/.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/domains/domain.hpp"
+#include "prepare/prepared/options.hpp"
 #include "prepare/prepared/panels.hpp"
-#include "prepare/shares/share.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -22,7 +25,7 @@ struct Wall {
 
 /// Walls, and which faces are parts of them.
 struct Walls {
-  static constexpr std::uint32_t none = PointRules::none;
+  static constexpr std::uint32_t none = no_index;
   std::vector<Wall> walls;
   std::vector<std::uint32_t> of_face;  ///< of each face: its wall, or none; empty where no face is of one
 
@@ -56,7 +59,51 @@ enum class Slats { are_walls, are_none };
 [[nodiscard]] Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm,
                                Slats which);
 
-/// The same walls, with the faces of a share of the surface. O(n).
-[[nodiscard]] Walls walls_of(const Walls& whole, const SymmetricShare& share);
+/// The same walls, with the faces of a domain of the surface. O(n).
+[[nodiscard]] Walls walls_of(const Walls& whole, const FundamentalDomain& domain);
+
+// How many folds of a surface are too short, as far as anything could be done about them.
+
+/// Folds that are drawn: edges between panels, folded by hidden_fold_angle or more.
+struct FoldFigures {
+  std::size_t folds = 0;
+  /// Shorter than short_edge_mm, though the walls at their ends would let them be longer: where these have no
+  /// point in common near the edge, no simplification that keeps walls makes it longer.
+  std::size_t brief = 0;
+  /// Shorter than tiny_edge_mm; across a plate, from one wall to a parallel one, shorter than half of that:
+  /// the fold along the plate is long.
+  std::size_t tiny = 0;
+
+  /// Edges between panels, drawn or not, and those of them between which numbers and tabs have little room.
+  std::size_t edges = 0;
+  std::size_t close = 0;
+  /// Lengths of these edges, mm, and of those of them that are shorter than short_edge_mm.
+  double length = 0.0;
+  double cramped = 0.0;
+
+  /// Whether most edges are too close for a model of many faces.
+  [[nodiscard]] bool crowded() const { return 2 * close > edges; }
+  /// Shares of the folds; 0 where there are none.
+  [[nodiscard]] double short_fraction() const { return fraction(brief); }
+  [[nodiscard]] double tiny_fraction() const { return fraction(tiny); }
+  [[nodiscard]] double cramped_fraction() const { return length > 0.0 ? cramped / length : 0.0; }
+
+ private:
+  [[nodiscard]] double fraction(std::size_t count) const {
+    return folds == 0 ? 0.0 : static_cast<double>(count) / static_cast<double>(folds);
+  }
+};
+
+/// Panels must have been remeshed: then a straight fold between two of them is one
+/// edge. O(n).
+[[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options);
+/// The same where panels and walls (without slats) are known.
+[[nodiscard]] FoldFigures fold_figures(const mesh::Surface& surface, const Panels& panels, const Walls& walls,
+                                       const SimplifyOptions& options);
+
+/// Of each component: whether it can't be folded as it is, or has more faces than anybody builds. Panels must
+/// have been remeshed. O(n).
+[[nodiscard]] std::vector<bool> too_fine_components(const mesh::Surface& surface,
+                                                    const SimplifyOptions& options);
 
 }  // namespace ridgecraft::prepare

@@ -183,7 +183,7 @@ TEST_CASE("a size that the program chose gives what asking for that size does", 
   options.size.largest_extent_mm = size;
   const job::Paper asked = job::paper(model, options, {});
   CHECK(std::ranges::equal(asked.prepared.model.surface.points(), chosen.prepared.model.surface.points()));
-  CHECK(asked.ready.left_out.count() == chosen.ready.left_out.count());
+  CHECK(asked.cleanup.left_out.count() == chosen.cleanup.left_out.count());
   CHECK(asked.nets.pieces.size() == chosen.nets.pieces.size());
 }
 

@@ -4,10 +4,11 @@
 
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/domains/domain.hpp"
 #include "prepare/prepared/options.hpp"
-#include "prepare/shares/collapse.hpp"
 #include "support/soups.hpp"
 
 namespace ridgecraft::test {
@@ -22,7 +23,7 @@ inline const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 
 /// Points of which each stands for itself.
 [[nodiscard]] inline prepare::PointRules free_points(const mesh::LooseFaces& loose) {
   prepare::PointRules points;
-  points.plane.assign(loose.points.size(), prepare::PointRules::none);
+  points.plane.assign(loose.points.size(), no_index);
   points.copies.assign(loose.points.size(), 1);
   return points;
 }

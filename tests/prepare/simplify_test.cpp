@@ -2,12 +2,19 @@
 // Fine models become foldable ones.
 #include "prepare/simplify/simplify.hpp"
 
+#include <cmath>
+
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "prepare/collapses/collapse_sequence.hpp"
+#include "prepare/collapses/quick_collapses.hpp"
 #include "prepare/common_models.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/walls/fold_figures.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "prepare/simplify/body.hpp"
+#include "prepare/symmetry/mirrors.hpp"
+#include "prepare/walls/walls.hpp"
+#include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -142,6 +149,162 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
     size.largest_extent_mm = size_mm;
     const Prepared p = simplified(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
-    CHECK(p.simplified.short_edges_after == prepare::fold_figures(p.model.surface, options).brief_share());
+    CHECK(p.simplified.short_edges_after == prepare::fold_figures(p.model.surface, options).short_fraction());
   }
+}
+
+// Smooth models of very many faces, of which most go before anything else is done.
+
+namespace {
+
+constexpr double symmetric_within = 0.004;
+
+/// A lump of 60 mm with the same bumps on both sides of x = 0, which stands on a flat foot.
+mesh::Model lump() {
+  const mesh::Surface round = test::sphere(330, 170);
+  std::vector<Vec3> points;
+  for (const Vec3 p : round.points()) {
+    const double bump =
+        1.0 + 0.08 * std::cos(5.0 * p.x) * std::sin(4.0 * p.y + 1.0) + 0.05 * std::sin(7.0 * p.z + 3.0 * p.y);
+    points.push_back({30.0 * bump * p.x, 30.0 * bump * p.y, std::max(-18.0, 30.0 * bump * p.z)});
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  for (const FaceId f : ids<FaceId>(round.face_count())) {
+    faces.push_back(round.vertices(f));
+  }
+  return test::model_of(mesh::Surface(std::move(points), std::move(faces)));
+}
+
+}  // namespace
+
+TEST_CASE("a dense smooth model keeps its shape, its foot and its symmetry with far fewer faces",
+          "[thin_out]") {
+  mesh::Model model = lump();
+  const mesh::Surface before = model.surface;
+  REQUIRE(prepare::is_dense(before, {}));
+  const auto dense = prepare::thin_out(model, symmetric_within, {}, {});
+  REQUIRE(dense);
+  CHECK(dense->before.face_count() == before.face_count());
+  CHECK(test::euler(model.surface) == 2);
+  // What is left of the foot is its outline with all that is within it.
+  double foot = 0.0;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    foot += model.surface.normal(f).z < -0.9999 ? model.surface.area(f) : 0.0;
+  }
+  double foot_before = 0.0;
+  std::size_t of_foot = 0;
+  for (const FaceId f : ids<FaceId>(before.face_count())) {
+    foot_before += before.normal(f).z < -0.9999 ? before.area(f) : 0.0;
+    of_foot += before.normal(f).z < -0.9999 ? 1U : 0U;
+  }
+  CHECK(foot == Approx(foot_before).epsilon(1e-3));
+  CHECK(model.surface.face_count() <
+        prepare::quick * prepare::careless_faces(before, prepare::SimplifyOptions{}.short_edge_mm) + of_foot +
+            2000);
+  // A tenth of what it may move in the mean of squares; at the worst place it's more.
+  const double may_move = prepare::SimplifyOptions{}.largest_deviation * before.bounds().largest_extent();
+  CHECK(greatest_distance(mesh::SurfaceTree(model.surface, 0.5), mesh::SurfaceTree(before, 0.5), INFINITY,
+                          {}) < 0.5 * may_move);
+  const auto mirrors = prepare::find_mirrors(model.surface, 1);
+  REQUIRE(mirrors.size() == 1);
+  CHECK(mirrors[0].exact);
+  CHECK(std::abs(mirrors[0].plane.normal.x) == Approx(1.0));
+}
+
+TEST_CASE("what has walls isn't thinned out", "[thin_out]") {
+  const mesh::Surface surface = test::scaled(test::voxels({{0, 0, 0}}, 100), 30.0);
+  mesh::Model model = test::model_of(surface);
+  CHECK(prepare::is_dense(model.surface, {}));
+  CHECK_FALSE(prepare::thin_out(model, symmetric_within, {}, {}));
+  CHECK(model.surface.face_count() == surface.face_count());
+}
+
+TEST_CASE("a model that is no finer than its folds can be long isn't dense", "[thin_out]") {
+  CHECK_FALSE(prepare::is_dense(test::scaled(test::sphere(40, 20), 30.0), {}));
+  CHECK_FALSE(prepare::is_dense(test::scaled(test::sphere(330, 170), 300.0), {}));
+}
+
+// The first collapses of models of very many faces.
+
+namespace {
+
+mesh::LooseFaces fine(const mesh::Surface& surface) {
+  return mesh::take_apart(test::repaired(test::soup_of(surface)));
+}
+
+mesh::Surface surface_of(const mesh::LooseFaces& loose) {
+  mesh::Model model;
+  mesh::put_together(model, loose);
+  return model.surface;
+}
+
+double distance(const mesh::LooseFaces& a, const mesh::LooseFaces& b) {
+  const mesh::Surface of_a = surface_of(a);
+  const mesh::Surface of_b = surface_of(b);
+  return greatest_distance(mesh::SurfaceTree(of_a, 0.05), mesh::SurfaceTree(of_b, 0.05), INFINITY, {});
+}
+
+}  // namespace
+
+TEST_CASE("quick collapses leave a surface near the one before, wherever they end", "[quick_collapses]") {
+  const mesh::LooseFaces loose = fine(test::sphere(160, 80));
+  const auto collapses = prepare::quick_collapses(loose, free_points(loose), {}, 2000, INFINITY, {});
+  REQUIRE(collapses.size() > 10000);
+  CHECK(collapses.back().faces <= 2000);
+  CHECK(collapses.back().faces >= 1998);
+  for (std::size_t count = 1000; count <= collapses.size(); count += 1000) {
+    const mesh::LooseFaces faces = prepare::replay(loose, std::span(collapses).first(count));
+    CHECK(faces.faces.size() == collapses[count - 1].faces);
+    CHECK(mesh::is_surface(faces));
+    CHECK(test::euler(surface_of(faces)) == 2);
+  }
+  // Of a sphere with so many even faces the sides are 0.08 long, and the arrows over them 0.001.
+  CHECK(distance(loose, prepare::replay(loose, collapses)) < 0.005);
+}
+
+TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_collapses]") {
+  const mesh::LooseFaces tube = fine(test::revolve({{1, 0}, {1.1, 0.5}, {1.05, 1}, {1, 1.5}}, 80));
+  // Two rings are borders, so nothing but the two between can go.
+  const auto of_tube = prepare::quick_collapses(tube, free_points(tube), {}, 0, INFINITY, {});
+  for (const prepare::Collapse& c : of_tube) {
+    const double height = tube.points[c.gone].z;
+    CHECK(height > 0.1);
+    CHECK(height < 1.4);
+  }
+  const mesh::LooseFaces torus = fine(test::revolve(ring, 100));
+  prepare::PointRules points = free_points(torus);
+  prepare::Walls walls;
+  walls.walls.push_back({{0, 0, 1}, 0.5});
+  walls.of_face.assign(torus.faces.size(), prepare::Walls::none);
+  std::vector<bool> bound(torus.points.size(), false);
+  for (std::size_t v = 0; v < torus.points.size(); ++v) {
+    if (torus.points[v].x < -2.0) {
+      points.plane[v] = 0;
+      bound[v] = true;
+    }
+  }
+  points.planes.push_back({{1, 0, 0}, -2.0});
+  for (std::size_t f = 0; f < torus.faces.size(); f += 50) {
+    walls.of_face[f] = 0;
+    for (const std::uint32_t v : torus.faces[f]) {
+      bound[v] = true;
+    }
+  }
+  const auto collapses = prepare::quick_collapses(torus, points, walls, 0, INFINITY, {});
+  REQUIRE(collapses.size() > 50);
+  for (const prepare::Collapse& c : collapses) {
+    CHECK_FALSE(bound[c.gone]);
+    CHECK_FALSE(bound[c.stays]);
+  }
+  const mesh::LooseFaces left = prepare::replay(torus, collapses);
+  CHECK(mesh::is_surface(left));
+  CHECK(test::euler(surface_of(left)) == 0);
+}
+
+TEST_CASE("quick collapses end where nothing is left to be done", "[quick_collapses]") {
+  const mesh::LooseFaces cube = fine(test::voxels({{0, 0, 0}}, 1));
+  CHECK(prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}).size() <= 4);
+  const mesh::LooseFaces nothing =
+      prepare::replay(cube, prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}));
+  CHECK(mesh::is_surface(nothing));
 }

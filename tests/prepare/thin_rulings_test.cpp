@@ -14,7 +14,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/panels/panel_regions.hpp"
+#include "prepare/panels/regions.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/panels/ruled_strips.hpp"
 #include "prepare/simplify/simplify.hpp"

@@ -10,13 +10,11 @@
 
 #include "mesh/mesh.hpp"
 #include "prepare/common_models.hpp"
+#include "prepare/domains/domain.hpp"
+#include "prepare/domains/find_domain.hpp"
 #include "prepare/features/features.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
-#include "prepare/shares/share_bodies.hpp"
-#include "prepare/shares/symmetric_share.hpp"
-#include "prepare/shares/whole.hpp"
-#include "prepare/walls/fold_figures.hpp"
 #include "support/shapes.hpp"
 #include "support/soups.hpp"
 
@@ -132,7 +130,7 @@ Prepared prepared(const mesh::Soup& soup, const SimplifyOptions& options = {}) {
 }
 
 /// Share of the area across the axes.
-double axis_share(const mesh::Surface& surface) {
+double axis_fraction(const mesh::Surface& surface) {
   double along = 0.0;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     const Vec3 n = surface.normal(f);
@@ -147,7 +145,7 @@ TEST_CASE("bevels go, and the walls beside them meet at right angles", "[walls]"
   const Prepared p = prepared(bevelled_box({120, 80, 50}, 1.5));
   CHECK(p.simplified.faces_before == 44);
   CHECK(p.simplified.faces_after == 12);
-  CHECK(axis_share(p.model.surface) == Approx(1.0));
+  CHECK(axis_fraction(p.model.surface) == Approx(1.0));
   const Vec3 size = p.model.surface.bounds().size();
   CHECK(size.x == Approx(120.0).margin(1e-6));
   CHECK(size.y == Approx(80.0).margin(1e-6));
@@ -307,10 +305,10 @@ TEST_CASE("a share that is divided by components and joined again is the same mo
   append(soup, bevelled_box({20, 20, 20}, 3.0), {50, 0, 0});
   append(soup, prism(12, 8.0, 30.0), {25, 40, 0});
   const mesh::Model model = test::repaired(soup);
-  const prepare::SymmetricShare share = prepare::symmetric_share(model, 0.004, {});
+  const prepare::FundamentalDomain domain = prepare::fundamental_domain(model, 0.004, {});
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const mesh::LooseFaces once = prepare::whole(share, all);
-  const mesh::LooseFaces again = prepare::whole(prepare::joined(prepare::divided(share)), all);
+  const mesh::LooseFaces once = prepare::expand(domain, all);
+  const mesh::LooseFaces again = prepare::expand(prepare::joined(prepare::divided(domain)), all);
   REQUIRE(once.faces.size() == again.faces.size());
   const auto sorted_corners = [](const mesh::LooseFaces& faces) {
     std::vector<std::array<double, 9>> result;
@@ -375,13 +373,13 @@ TEST_CASE("a model whose tabs and numbers would have no room gets a larger size"
   const Prepared larger = prepare::prepare(test::repaired(tiles), size, {}, page, {});
   CHECK(larger.size_reason == prepare::SizeReason::room);
   CHECK(larger.model.surface.bounds().largest_extent() == Approx(190.0));
-  CHECK(larger.simplified.cramped_share == 0.0);
+  CHECK(larger.simplified.cramped_fraction == 0.0);
   // Not beyond the limits, though: neither that of the size ...
   size.largest_mm = 180.0;
   const Prepared usual = prepare::prepare(test::repaired(tiles), size, {}, page, {});
   CHECK(usual.size_reason == prepare::SizeReason::none);
   CHECK(usual.model.surface.bounds().largest_extent() == Approx(150.0));
-  CHECK(usual.simplified.cramped_share > 0.1);
+  CHECK(usual.simplified.cramped_fraction > 0.1);
   // ... nor that of the pages.
   size.largest_mm = 400.0;
   size.smallest_mm = 150.0;

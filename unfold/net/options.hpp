@@ -13,7 +13,7 @@
 
 #include "base/geometry.hpp"
 #include "base/id.hpp"
-#include "prepare/prepared/twin_bodies.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "unfold/net/edge_constraints.hpp"
 
 namespace ridgecraft::unfold {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/disjoint_sets.hpp"
+#include "prepare/symmetry/isometry.hpp"
 #include "prepare/symmetry/mirrors.hpp"
-#include "prepare/symmetry/seen_edges.hpp"
 #include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
