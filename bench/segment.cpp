@@ -537,7 +537,7 @@ int run(const Arguments& arguments) {
                             ? run_speed(model, options, arguments.threads, labels)
                             : run_whole(model, options, arguments.labels, runs.size() == 1));
       runs[t].back().tolerance = options.concavity;
-      json << bench::json_line(runs[t].back()) << std::endl;  // a long run can be watched
+      json << bench::json_line(runs[t].back()) << '\n' << std::flush;  // a long run can be watched
       if (!arguments.models.empty()) {
         print_row(std::to_string(m), runs[t].back());
       }

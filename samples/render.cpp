@@ -127,7 +127,7 @@ class FirstCut {
   FirstCut(const mesh::Surface& surface, double tolerance)
       : surface_(segment::scale_surface(surface, {})),
         weights_(segment::weigh_edges(surface_, {})),
-        graph_(segment::build_vertex_graph(surface_, segment::arc_sagitta_fraction * tolerance)),
+        graph_(segment::build_vertex_graph(surface_, segment::arc_sagitta_share * tolerance)),
         measurer_(surface_, graph_, {tolerance}, context_),
         regions_(surface_) {
     segment::Cutter cutter(surface_, weights_);
