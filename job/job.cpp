@@ -244,9 +244,10 @@ void rescale(prepare::CleanupReport& cleanup, double factor) {
 /// Tabs anew, as the options ask for them.
 void give_new_tabs(Paper& made, StageClock& clock, const Context& context) {
   clock("tabs", context, [&] {
-    unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
-                         unfold_options(made.options, made.prepared, {}), made.nets, context,
-                         made.options.tab_choice);
+    const unfold::Options options = unfold_options(made.options, made.prepared, {});
+    unfold::replace_tabs(
+        {made.prepared.model.surface, made.prepared.panels, options, made.options.tab_choice}, made.nets,
+        context);
     return true;
   });
 }
@@ -408,8 +409,8 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
 
 unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoice& choice,
                     const Context& context) {
-  unfold::replace_tabs(made.prepared.model.surface, made.prepared.panels,
-                       unfold_options(made.options, made.prepared, {}), nets, context, choice);
+  const unfold::Options options = unfold_options(made.options, made.prepared, {});
+  unfold::replace_tabs({made.prepared.model.surface, made.prepared.panels, options, choice}, nets, context);
   nets.notes = made.early_notes;
   return nets;
 }

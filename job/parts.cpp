@@ -9,7 +9,6 @@
 
 #include "base/error.hpp"
 #include "segment/segment.hpp"
-#include "unfold/even_parts.hpp"
 #include "unfold/panel_parts.hpp"
 
 namespace ridgecraft::job {
@@ -71,10 +70,7 @@ Parts find_parts(const prepare::Prepared& prepared, const Options& options, cons
     const segment::Segmentation found =
         segment::segment(surface, {}, {.concavity = options.concavity},
                          until_deadline(context, segmentation_share), labels.items());
-    Parts parts{unfold::even_parts(surface, prepared.panels,
-                                   unfold::parts_of_whole_panels(surface, prepared.panels, found.part),
-                                   options.pieces.weights),
-                false};
+    Parts parts{unfold::parts_of_whole_panels(surface, prepared.panels, found.part), false};
     copy_parts(prepared.twins, parts.of_face);
     return parts;
   } catch (const Error& error) {

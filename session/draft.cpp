@@ -274,8 +274,7 @@ Draft::Change Draft::change(const Cut& cut) {
       return pinned;
     }
   }
-  return take(
-      unfold::cut_fold(surface_, made_.prepared.panels, made_.part, options_, nets(), *edge, context_));
+  return take(unfold::cut_fold(problem(), nets(), *edge, context_));
 }
 
 Draft::Change Draft::change(const Join& join) {
@@ -291,8 +290,7 @@ Draft::Change Draft::change(const Join& join) {
       return pinned;
     }
   }
-  return take(
-      unfold::join_cut(surface_, made_.prepared.panels, made_.part, options_, nets(), *edge, context_));
+  return take(unfold::join_cut(problem(), nets(), *edge, context_));
 }
 
 Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
@@ -376,8 +374,7 @@ Draft::Change Draft::change(const Retry& retry) {
   }
   Context seeded = context_;
   seeded.seed = retry.seed;
-  return take(unfold::retry_pieces(surface_, made_.prepared.panels, made_.part, options_, nets(), {&piece, 1},
-                                   seeded));
+  return take(unfold::retry_pieces(problem(), nets(), {&piece, 1}, seeded));
 }
 
 Draft::Change Draft::change(const Pack& pack) {

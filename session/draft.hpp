@@ -77,6 +77,9 @@ class Draft {
 
  private:
   using Change = std::optional<Refusal>;
+  [[nodiscard]] unfold::UnfoldProblem problem() const {
+    return {surface_, made_.prepared.panels, made_.part, options_};
+  }
   [[nodiscard]] const unfold::Nets& nets() const { return nets_ ? *nets_ : *before_.nets; }
   [[nodiscard]] bool is_pinned(PieceId piece) const;
   [[nodiscard]] Refusal pinned_refusal(PieceId piece) const;

@@ -61,10 +61,10 @@ Causes causes_in(const Nets& nets) {
 
 /// The pieces that `changed.use` says, in their order, each face where `changed.flat` has it, without joins,
 /// tabs, kinds of equal pieces and notes. Pieces that were there `before` are folded as they were.
-/// `constraints`: of each edge, or none. O(n log n) but for the order in which new pieces are folded.
-Nets nets_of_uses(const mesh::Surface& surface, const prepare::Panels& panels,
-                  const IdVector<FaceId, PartId>& part, const EdgeConstraints& constraints,
-                  const Nets& before, const Nets& changed, const Causes& causes, const Context& context) {
+/// O(n log n) but for the order in which new pieces are folded.
+Nets nets_of_uses(const UnfoldProblem& problem, const Nets& before, const Nets& changed, const Causes& causes,
+                  const Context& context) {
+  const mesh::Surface& surface = problem.surface;
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
@@ -73,9 +73,9 @@ Nets nets_of_uses(const mesh::Surface& surface, const prepare::Panels& panels,
   for (const CornerId c : ids<CornerId>(surface.corner_count())) {
     folds[c.value()] = changed.use[surface.edge(c)] == EdgeUse::fold ? 1 : 0;
   }
-  Nets nets = nets_of_folds(surface, part, make_patch(surface, panels, faces), folds, causes);
+  Nets nets = nets_of_folds(surface, problem.part, make_patch(surface, problem.panels, faces), folds, causes);
   nets.flat = changed.flat;
-  nets.broken_constraints = count_broken(constraints, nets);
+  nets.broken_constraints = count_broken(problem.options.constraints, nets);
   count_holes(surface, nets);
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     Piece& piece = nets.pieces[p];
@@ -146,25 +146,23 @@ bool fit_the_sheet(const prepare::Panels& panels, const Options& options, const 
 
 }  // namespace
 
-ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels,
-                     const IdVector<FaceId, PartId>& part, const Options& options, const Nets& nets,
-                     EdgeId edge, const Context& context) {
-  const std::vector<FaceId> beside = faces_at(surface, edge);
+ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge, const Context& context) {
+  const std::vector<FaceId> beside = faces_at(problem.surface, edge);
   if (nets.use[edge] != EdgeUse::fold) {
     return Refusal{nets.use[edge] == EdgeUse::border
                        ? "the model ends at this edge, so there is nothing to cut"
                        : "this edge is cut already",
                    beside};
   }
-  if (panels.panel[beside[0]] == panels.panel[beside[1]]) {
+  if (problem.panels.panel[beside[0]] == problem.panels.panel[beside[1]]) {
     return Refusal{"this edge lies inside a flat region, which stays whole", beside};
   }
   Nets changed = nets;
   changed.use[edge] = EdgeUse::cut;
-  DisjointSets halves(surface.face_count());
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
+  DisjointSets halves(problem.surface.face_count());
+  for (const EdgeId e : ids<EdgeId>(problem.surface.edge_count())) {
     if (changed.use[e] == EdgeUse::fold) {
-      const auto [c, d] = surface.sides(e);
+      const auto [c, d] = problem.surface.sides(e);
       halves.join(mesh::face_of(c).value(), mesh::face_of(d).value());
     }
   }
@@ -175,25 +173,23 @@ ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels
   for (const FaceId f : nets.pieces[nets.piece[beside[0]]].faces) {
     half[halves.find(f.value()) == halves.find(beside[0].value()) ? 0 : 1].push_back(f);
   }
-  const auto& smaller = half[area_of(surface, half[0]) < area_of(surface, half[1]) ? 0 : 1];
+  const auto& smaller = half[area_of(problem.surface, half[0]) < area_of(problem.surface, half[1]) ? 0 : 1];
   Causes causes = causes_in(nets);
   for (const FaceId f : smaller) {
     causes[f.value()] = {PieceReason::request, smaller.front().value()};
   }
-  return nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes, context);
+  return nets_of_uses(problem, nets, changed, causes, context);
 }
 
-ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
-                     const IdVector<FaceId, PartId>& part, const Options& options, const Nets& nets,
-                     EdgeId edge, const Context& context) {
-  const std::vector<FaceId> beside = faces_at(surface, edge);
+ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge, const Context& context) {
+  const std::vector<FaceId> beside = faces_at(problem.surface, edge);
   if (nets.use[edge] != EdgeUse::cut) {
     return Refusal{nets.use[edge] == EdgeUse::border
                        ? "the model ends at this edge, so there is nothing to join"
                        : "this edge is a fold already",
                    beside};
   }
-  auto [stays, moves] = surface.sides(edge);
+  auto [stays, moves] = problem.surface.sides(edge);
   const auto piece_at = [&](CornerId side) -> const Piece& {
     return nets.pieces[nets.piece[mesh::face_of(side)]];
   };
@@ -202,7 +198,7 @@ ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels
                        ", and as a fold it would close a loop that doesn't lie flat",
                    beside};
   }
-  if (area_of(surface, piece_at(stays).faces) < area_of(surface, piece_at(moves).faces)) {
+  if (area_of(problem.surface, piece_at(stays).faces) < area_of(problem.surface, piece_at(moves).faces)) {
     std::swap(stays, moves);
   }
   Nets changed = nets;
@@ -220,15 +216,15 @@ ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels
   if (std::vector<FaceId> on_each_other = overlapping(changed, both); !on_each_other.empty()) {
     return Refusal{"joined here " + names + " would overlap", std::move(on_each_other)};
   }
-  if (!fit_the_sheet(panels, options, changed, both)) {
+  if (!fit_the_sheet(problem.panels, problem.options, changed, both)) {
     return Refusal{names + " stay apart: joined they would be larger than the paper", beside};
   }
   changed.use[edge] = EdgeUse::fold;
-  close_flat_cuts(surface, panels, slits_of(surface, options.constraints, nets), changed);
-  Nets joined =
-      nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes_in(nets), context);
+  close_flat_cuts(problem.surface, problem.panels,
+                  slits_of(problem.surface, problem.options.constraints, nets), changed);
+  Nets joined = nets_of_uses(problem, nets, changed, causes_in(nets), context);
   const Piece& made = joined.pieces[joined.piece[beside[0]]];
-  if (options.pieces.fold_linear && made.folding.way != FoldWay::together) {
+  if (problem.options.pieces.fold_linear && made.folding.way != FoldWay::together) {
     return Refusal{names + " stay apart: joined they wouldn't fold with all creases together", beside};
   }
   return joined;
@@ -315,13 +311,12 @@ std::optional<Nets> another_net(Alone one, const Nets& before, const Context& co
 
 }  // namespace
 
-ChangedNets retry_pieces(const mesh::Surface& surface, const prepare::Panels& panels,
-                         const IdVector<FaceId, PartId>& part, const Options& options, const Nets& nets,
-                         std::span<const PieceId> pieces, const Context& context) {
+ChangedNets retry_pieces(const UnfoldProblem& problem, const Nets& nets, std::span<const PieceId> pieces,
+                         const Context& context) {
   Nets changed = nets;
   for (const PieceId p : pieces) {
     const Piece& piece = nets.pieces[p];
-    const Alone one = alone(surface, panels, options, piece);
+    const Alone one = alone(problem.surface, problem.panels, problem.options, piece);
     const std::optional<Nets> found = another_net(one, nets, context);
     if (!found) {
       return Refusal{"no other net of piece " + piece.name + " was found", piece.faces};
@@ -335,7 +330,7 @@ ChangedNets retry_pieces(const mesh::Surface& surface, const prepare::Panels& pa
       changed.flat[one.from.face[f]] = found->flat[f];
     }
   }
-  return nets_of_uses(surface, panels, part, options.constraints, nets, changed, causes_in(nets), context);
+  return nets_of_uses(problem, nets, changed, causes_in(nets), context);
 }
 
 }  // namespace ridgecraft::unfold

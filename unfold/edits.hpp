@@ -31,9 +31,8 @@ using ChangedNets = std::variant<Nets, Refusal>;
 /// The piece with this fold becomes two; both lie as they lay. Refused where nothing is to be cut: at
 /// borders, at cuts, inside flat regions, and where the paper holds together around the edge. `part` and
 /// `options`: as for unfold(). O(n log n) but for the order in which both are folded.
-[[nodiscard]] ChangedNets cut_fold(const mesh::Surface& surface, const prepare::Panels& panels,
-                                   const IdVector<FaceId, PartId>& part, const Options& options,
-                                   const Nets& nets, EdgeId edge, const Context& context);
+[[nodiscard]] ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge,
+                                   const Context& context);
 
 /// The two pieces beside this cut become one; the larger one lies as it lay. Other edges between them that
 /// lie flat on each other become folds, too, but for those that were to be cut. Refused where both faces lie
@@ -42,18 +41,15 @@ using ChangedNets = std::variant<Nets, Refusal>;
 /// (PieceRules::fold_linear) and wouldn't. It may have more flat regions than the rules allow to a search
 /// (PieceRules::max_panels). O(n log n) but for pairs of faces that are near each other and the order in
 /// which the piece is folded.
-[[nodiscard]] ChangedNets join_cut(const mesh::Surface& surface, const prepare::Panels& panels,
-                                   const IdVector<FaceId, PartId>& part, const Options& options,
-                                   const Nets& nets, EdgeId edge, const Context& context);
+[[nodiscard]] ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge,
+                                   const Context& context);
 
 // Other nets for the faces of some pieces; all other pieces stay as they lie.
 
 /// Each of these pieces gets another net of its faces, found by the context's seed: the best one, or, where
 /// it has that already, the best one of those in which one of its folds is a cut. Refused where no net is
 /// found that keeps it in one piece and is another one. Takes the time of unfold() for each of them.
-[[nodiscard]] ChangedNets retry_pieces(const mesh::Surface& surface, const prepare::Panels& panels,
-                                       const IdVector<FaceId, PartId>& part, const Options& options,
-                                       const Nets& nets, std::span<const PieceId> pieces,
-                                       const Context& context);
+[[nodiscard]] ChangedNets retry_pieces(const UnfoldProblem& problem, const Nets& nets,
+                                       std::span<const PieceId> pieces, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -16,19 +16,8 @@
 
 namespace ridgecraft::unfold {
 
-/// What unfold() was given, for all its steps; a search over pieces gets a NetProblem (patch/problem.hpp) made
-/// of it. The caller keeps what it refers to.
-struct UnfoldProblem {
-  const mesh::Surface& surface;
-  /// The flat regions of the model. Finished nets go by them: where two sides of a cut inside a region lie on
-  /// each other, the paper is whole, and a tab may be glued behind all of a region that one piece has.
-  const prepare::Panels& panels;
-  const IdVector<FaceId, PartId>& part;
-  const Options& options;  ///< with all that was requested, be it possible or not
-};
-
-/// What follows from that before the first search. Where nothing is too large and nothing is requested, its
-/// panels and groups are those that were given.
+/// What follows from a problem before the first search. Where nothing is too large and nothing is requested,
+/// its panels and groups are those that were given.
 struct Plan {
   Room room;  ///< that each piece has
   /// What searches keep whole: the flat regions, but those that no piece could hold are divided. Between two

@@ -216,12 +216,12 @@ AllTabs give_all_tabs(const UnfoldProblem& problem, const Plan& plan, const Patc
   const NetsOf nets_of = [&](const Folds& tried) {
     Nets nets = nets_of_folds(problem.surface, problem.part, patch, tried, causes);
     close_flat_cuts(problem.surface, problem.panels, plan.possible_constraints, nets);
-    give_tabs(problem.surface, problem.panels, problem.options, nets, context);
+    give_tabs({problem.surface, problem.panels, problem.options}, nets, context);
     return nets;
   };
-  TabSplit split =
-      split_for_tabs(problem.surface, problem.panels, patch, folds, plan.room, problem.options.tabs, nets_of,
-                     net_tolerance(patch.extent), context.seed, context);
+  const NetProblem net_problem{problem.surface,      problem.panels,  patch,
+                               problem.part.items(), problem.options, plan.room};
+  TabSplit split = split_for_tabs(net_problem, folds, nets_of, context);
   AllTabs result{std::move(split.folds), causes, 0, !context.out_of_time()};
   result.split_pieces = blame(patch, folds, result.folds, PieceReason::tabs, result.causes);
   return result;

@@ -23,60 +23,60 @@
 namespace ridgecraft::unfold {
 namespace {
 
-void give_tabs_once(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                    Nets& nets, const Context& context, std::span<const TabRequest> requests) {
-  place_tabs(surface, panels, options.tabs, nets, context, {}, requests);
-  if (options.sheet) {
-    fit_tabs_to_sheet(surface, panels, options.tabs, *options.sheet, nets, context, requests);
+void give_tabs_once(const TabTask& task, std::span<const TabRequest> requests, Nets& nets,
+                    const Context& context) {
+  const TabProblem problem{task.surface, task.panels, task.options.tabs, requests};
+  place_tabs(problem, nets, context);
+  if (task.options.sheet) {
+    fit_tabs_to_sheet(problem, *task.options.sheet, nets, context);
   }
 }
 
 /// Arrows where there is room for their slits, then tabs once more: as they always are where there is none.
-void give_slots(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                Nets& nets, const Context& context, const TabChoice& choice,
-                std::vector<TabRequest>& requests) {
+void give_slots(const TabTask& task, std::vector<TabRequest>& requests, Nets& nets, const Context& context) {
   std::vector<std::uint8_t> slots;
   for (const TabRequest& request : requests) {
     slots.push_back(request.slot ? 1 : 0);
   }
-  slots = put_into_slits(surface, panels, slots, nets, context);
-  TabChoice glued = choice;
+  slots = put_into_slits(task.surface, task.panels, slots, nets, context);
+  TabChoice glued = task.choice;
   glued.sides = TabSides::best;
-  const std::vector<TabRequest> others = tab_requests(surface, nets, options.tabs, glued);
+  const std::vector<TabRequest> others = tab_requests(task.surface, nets, task.options.tabs, glued);
   for (std::size_t j = 0; j < requests.size(); ++j) {
     if (slots[j] == 0) {
       requests[j] = others[j];
     }
   }
-  give_tabs_once(surface, panels, options, nets, context, requests);
-  put_into_slits(surface, panels, slots, nets, context);
+  give_tabs_once(task, requests, nets, context);
+  put_into_slits(task.surface, task.panels, slots, nets, context);
 }
 
 }  // namespace
 
-void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-               Nets& nets, const Context& context, const TabChoice& choice) {
+void give_tabs(const TabTask& task, Nets& nets, const Context& context) {
+  const TabChoice& choice = task.choice;
   nets.tabs = {};
-  number_joins(surface, nets);
-  if (!options.tabs.wanted) {
+  number_joins(task.surface, nets);
+  if (!task.options.tabs.wanted) {
     return;
   }
   // Who gives more of a seam is told by tabs that nobody has chosen.
   if (!choice.any() || choice.sides == TabSides::one_side) {
-    give_tabs_once(surface, panels, options, nets, context, {});
+    give_tabs_once(task, {}, nets, context);
   }
   if (choice.any()) {
-    std::vector<TabRequest> requests = tab_requests(surface, nets, options.tabs, choice);
-    give_tabs_once(surface, panels, options, nets, context, requests);
+    std::vector<TabRequest> requests = tab_requests(task.surface, nets, task.options.tabs, choice);
+    give_tabs_once(task, requests, nets, context);
     if (choice.sides == TabSides::slots) {
-      give_slots(surface, panels, options, nets, context, choice, requests);
+      give_slots(task, requests, nets, context);
     }
-    add_more_tabs(surface, panels, options, requests, choice, nets, context);
+    add_more_tabs({task.surface, task.panels, task.options.tabs, requests}, task.options.sheet, choice, nets,
+                  context);
   }
 }
 
-void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                  Nets& nets, const Context& context, const TabChoice& choice) {
+void replace_tabs(const TabTask& task, Nets& nets, const Context& context) {
+  const auto& [surface, panels, options, choice] = task;
   IdVector<FaceId, PartId> part(surface.face_count());  // that each body has its own is all that counts
   for (const FaceId f : ids<FaceId>(part.size())) {
     part[f] = PartId(surface.component(f).value());
@@ -89,11 +89,11 @@ void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, c
                      choice.sides != TabSides::both && choice.sides != TabSides::slots;
   std::optional<Nets> originals = each && alike ? without_copies(whole, *each, nets) : std::nullopt;
   if (originals) {
-    give_tabs(each->kept.surface, each->panels, each->options, *originals, context, choice);
+    give_tabs({each->kept.surface, each->panels, each->options, choice}, *originals, context);
     number_joins(surface, nets);
     copy_tabs(whole, *each, *originals, nets);
   } else {
-    give_tabs(surface, panels, options, nets, context, choice);
+    give_tabs(task, nets, context);
   }
   add_base_tabs(surface, options, choice, nets, context);
   nets.equal = find_equal_pieces(surface, nets);

@@ -10,19 +10,25 @@
 
 namespace ridgecraft::unfold {
 
+/// Which tabs nets get.
+struct TabTask {
+  const mesh::Surface& surface;
+  const prepare::Panels& panels;
+  const Options& options;
+  TabChoice choice = {};
+};
+
 /// Numbers the joins of these nets and gives them tabs as the options say, each body by itself, whatever
 /// others are its equals, then as a choice says that asks for anything. Tabs that were
 /// there are lost. Throws Error(interrupted), and Error(unreadable_input) as tab_requests().
-void give_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-               Nets& nets, const Context& context, const TabChoice& choice = {});
+void give_tabs(const TabTask& task, Nets& nets, const Context& context);
 
 // New tabs on old nets.
 
 /// Gives finished nets new joins' numbers and new tabs, as options.tabs, options.sheet and the choice ask;
 /// their folds and cuts stay. About O(n log n). Throws Error(interrupted), and Error(unreadable_input) where
 /// the choice names an edge or a piece that isn't there.
-void replace_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                  Nets& nets, const Context& context, const TabChoice& choice = {});
+void replace_tabs(const TabTask& task, Nets& nets, const Context& context);
 
 // Tabs by which bodies are glued onto others that they stand on.
 

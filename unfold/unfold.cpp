@@ -150,7 +150,7 @@ class Unfolding {
     do_in_parallel(nets.pieces.size(), context_, [&](std::size_t i, const Context& own) {
       nets.pieces[PieceId(i)].folding = find_fold_order(asked_.surface, nets, PieceId(i), own);
     });
-    give_tabs(asked_.surface, asked_.panels, asked_.options, nets, context_);
+    give_tabs({asked_.surface, asked_.panels, asked_.options}, nets, context_);
     if (each_) {
       const Nets originals = std::exchange(nets, with_copies(whole_, *each_, nets));
       split_.split_pieces += more_pieces(originals, nets, PieceReason::tabs);

@@ -70,7 +70,7 @@ Sample laid_out(const mesh::Surface& surface) {
   Sample sample{test::mapped(surface, askew), {}, {}};
   sample.panels = test::flat_panels(sample.surface);
   sample.nets = test::lay_out(sample.surface, test::random_order(sample.surface, 5));
-  unfold::replace_tabs(sample.surface, sample.panels, {}, sample.nets, {}, {});
+  unfold::replace_tabs({sample.surface, sample.panels, {}, {}}, sample.nets, {});
   return sample;
 }
 
@@ -164,6 +164,6 @@ TEST_CASE("no tabs are wanted, none at bases either", "[base_tabs]") {
   Sample sample = laid_out(standing(l_foot, 0.0));
   unfold::Options options;
   options.tabs.wanted = false;
-  unfold::replace_tabs(sample.surface, sample.panels, options, sample.nets, {}, {});
+  unfold::replace_tabs({sample.surface, sample.panels, options, {}}, sample.nets, {});
   CHECK(sample.nets.tabs.size() == 0);
 }

@@ -18,7 +18,6 @@
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/search/net_search.hpp"
-#include "unfold/search/one_piece.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -237,29 +236,6 @@ TEST_CASE("what giving panels whole to one part leaves apart joins its neighbour
   for (const auto& [p, list] : faces) {
     CHECK(unfold::connected(s, list).size() == 1);
   }
-}
-
-TEST_CASE("a net that is too long is bent until it fits, without an overlap", "[pieces]") {
-  const mesh::Surface s = bumpy_ball(12, 8, 30.0, 3);
-  const unfold::Patch patch = test::whole_patch(s);
-  unfold::NetSearch search;
-  search.start = unfold::StartTree::depth_first;
-  search.tolerance = 1e-6;
-  search.iterations = 10000;
-  const unfold::NetFound net = unfold::find_net(patch, search, 1, {});
-  REQUIRE(net.overlaps == 0);
-  const unfold::Room room{unfold::Sheet{190.0, 277.0}, 5.0, 0};
-  const unfold::Folds bent = unfold::shrink_to_fit(patch, net.folds, room, 1e-6, 2000, 1, {});
-  const auto over = [&](const unfold::Folds& folds) {
-    std::vector<Vec2> points;
-    for (const auto& t : unfold::lay_out(patch, folds).flat) {
-      points.insert(points.end(), t.begin(), t.end());
-    }
-    return unfold::excess(convex_hull(std::move(points)), {180.0, 267.0});
-  };
-  CHECK(unfold::find_overlaps(unfold::lay_out(patch, bent), 2e-6).empty());
-  CHECK(unfold::cost_of(patch, bent).pieces == 1);
-  CHECK(over(bent) <= over(net.folds));
 }
 
 TEST_CASE("a part of a patch is the patch of the part", "[pieces]") {

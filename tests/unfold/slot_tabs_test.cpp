@@ -36,7 +36,7 @@ Sample with_slots(const Surface& surface, std::uint64_t seed) {
   sample.nets = test::lay_out(surface, test::steepest_edge(surface, seed));
   unfold::TabChoice choice;
   choice.sides = unfold::TabSides::slots;
-  unfold::replace_tabs(sample.surface, sample.panels, {}, sample.nets, {}, choice);
+  unfold::replace_tabs({sample.surface, sample.panels, {}, choice}, sample.nets, {});
   return sample;
 }
 
@@ -221,7 +221,7 @@ TEST_CASE("arrows go into large faces; joins without room for a slit keep their 
     CHECK_FALSE(tab.slit);
   }
   Nets glued = small.nets;
-  unfold::replace_tabs(small.surface, small.panels, {}, glued, {});
+  unfold::replace_tabs({small.surface, small.panels, {}}, glued, {});
   REQUIRE(glued.tabs.size() == small.nets.tabs.size());
   for (const TabId t : ids<TabId>(glued.tabs.size())) {
     CHECK(glued.tabs[t].polygon == small.nets.tabs[t].polygon);

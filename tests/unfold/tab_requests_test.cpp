@@ -40,7 +40,7 @@ Sample box() {
 
 Nets chosen(const Sample& sample, const TabChoice& choice) {
   Nets nets = sample.nets;
-  unfold::replace_tabs(sample.surface, sample.panels, {}, nets, {}, choice);
+  unfold::replace_tabs({sample.surface, sample.panels, {}, choice}, nets, {});
   return nets;
 }
 
@@ -237,7 +237,7 @@ TEST_CASE("second tabs that are higher than others overlap nothing", "[tab_reque
   choice.angles = {{0.0, std::numbers::pi / 2}};
   unfold::Options options;
   options.tabs.height_mm = 3.0;
-  unfold::replace_tabs(letter, test::flat_panels(letter), options, nets, {}, choice);
+  unfold::replace_tabs({letter, test::flat_panels(letter), options, choice}, nets, {});
   std::size_t high = 0;
   for (const TabId t : ids<TabId>(nets.tabs.size())) {
     high += unfold::is_additional(nets, t) && height_of(nets.tabs[t]) > 3.1 ? 1U : 0U;

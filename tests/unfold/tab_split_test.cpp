@@ -170,7 +170,7 @@ std::size_t fewest_pieces(const Surface& s) {
     if (test::faces_overlap(nets)) {
       continue;
     }
-    unfold::place_tabs(s, test::no_panels(s), {}, nets, {});
+    unfold::place_tabs({s, test::no_panels(s), {}}, nets, {});
     if (missing(s, nets) == 0) {
       fewest = nets.pieces.size();
     }
@@ -340,7 +340,7 @@ TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
     }
   }
   const unfold::TabOptions options;
-  const unfold::TabGaps gaps(s, panels, patch, folds, options, Context());
+  const unfold::TabGaps gaps({s, panels, options}, patch, folds, Context());
   CHECK(gaps.able(test::edge_between(s, v(4), v(5))));
   CHECK_FALSE(gaps.able(test::edge_between(s, v(4), v(8))));
 }
@@ -378,10 +378,10 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
   Random random(1);
   const unfold::Folds folds = unfold::start_tree(patch, unfold::StartTree::breadth_first, random);
   const unfold::TabOptions options;
-  const unfold::TabGaps tab_gaps(s, panels, patch, folds, options, Context());
+  const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
   const FaceId middle(17);
   const std::vector<unfold::TabGap> gaps{{JoinId(0), {{middle, {FaceId(10)}}}}};
-  const auto cuts = unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, Context());
+  const auto cuts = unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, Context());
   REQUIRE(cuts.size() == 1);
   CHECK(folds[cuts[0]] != 0);
   CHECK(patch.frozen[cuts[0]] == 0);
@@ -400,18 +400,18 @@ TEST_CASE("what stands in the way of tabs is looked for until somebody says stop
     folds[c.value()] = nets.use[s.edge(c)] == unfold::EdgeUse::fold ? 1 : 0;
   }
   const unfold::TabOptions options;
-  const unfold::TabGaps tab_gaps(s, panels, patch, folds, options, Context());
+  const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
   const std::vector<JoinId> lacking = tab_gaps.missing(nets);
   REQUIRE_FALSE(lacking.empty());
   const auto gaps = tab_gaps.gaps(nets, lacking, Context());
   Random random(1);
-  CHECK_FALSE(unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, Context()).empty());
+  CHECK_FALSE(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, Context()).empty());
   StopSource source;
   source.request_stop();
   Context stopped;
   stopped.stop = source.get_token();
   CHECK_THROWS_AS(tab_gaps.gaps(nets, lacking, stopped), Error);
-  CHECK_THROWS_AS(unfold::choose_tab_cuts(s, patch, folds, tab_gaps, gaps, 0.0, random, stopped), Error);
+  CHECK_THROWS_AS(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, stopped), Error);
 }
 
 TEST_CASE("what has all its tabs isn't split", "[tabs]") {

@@ -290,7 +290,7 @@ void check_tabs(const Surface& s, const Panels& panels, const Nets& nets, const 
 }
 
 Nets with_tabs(const Surface& s, const Panels& panels, Nets nets, const TabOptions& options) {
-  unfold::place_tabs(s, panels, options, nets, Context());
+  unfold::place_tabs({s, panels, options}, nets, Context());
   return nets;
 }
 

@@ -13,6 +13,8 @@
 
 #include "base/geometry.hpp"
 #include "base/id.hpp"
+#include "mesh/model/surface.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/edge_constraints.hpp"
 
@@ -208,6 +210,17 @@ struct Options {
   IdVector<FaceId, std::uint32_t> labels = {};
   /// Bodies of the surface that get one net each, and copies of it (prepare::Prepared::twins).
   prepare::TwinBodies twins = {};
+};
+
+/// A surface in parts, and how it is to be unfolded; a search over pieces gets a NetProblem
+/// (patch/problem.hpp) made of it. The caller keeps what it refers to.
+struct UnfoldProblem {
+  const mesh::Surface& surface;
+  /// The flat regions of the model. Finished nets go by them: where two sides of a cut inside a region lie on
+  /// each other, the paper is whole, and a tab may be glued behind all of a region that one piece has.
+  const prepare::Panels& panels;
+  const IdVector<FaceId, PartId>& part;
+  const Options& options;  ///< with all that was requested, be it possible or not
 };
 
 }  // namespace ridgecraft::unfold

@@ -13,7 +13,7 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/search/one_piece.hpp"
+#include "unfold/search/net_search.hpp"
 
 namespace ridgecraft::unfold {
 

@@ -19,7 +19,7 @@
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/part_merging.hpp"
-#include "unfold/search/one_piece.hpp"
+#include "unfold/search/net_search.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/trees/changing_net.hpp"
@@ -57,22 +57,21 @@ struct RootedForest {
 
 class Chooser {
  public:
-  Chooser(const mesh::Surface& surface, const Patch& patch, const Folds& folds, const TabGaps& tab_gaps,
-          std::span<const TabGap> gaps, const Context& context)
-      : surface_(surface),
-        patch_(patch),
-        tab_gaps_(tab_gaps),
+  Chooser(const ForestWithGaps& forest, const Context& context)
+      : surface_(forest.surface),
+        patch_(forest.patch),
+        tab_gaps_(forest.tab_gaps),
         context_(context),
-        forest_(patch, folds),
-        sum_(patch.twin.size(), 0.0) {
-    for (const TabGap& gap : gaps) {
+        forest_(patch_, forest.folds),
+        sum_(patch_.twin.size(), 0.0) {
+    for (const TabGap& gap : forest.gaps) {
       context_.check();
       Gap& own = gaps_.emplace_back();
       for (const TabGap::Place& place : gap.places) {
         add_place(place, own);
       }
       if (own.places.empty()) {
-        cut_off(gap, folds, own);
+        cut_off(gap, forest.folds, own);
       }
       measure(own);
     }
@@ -237,11 +236,9 @@ class Chooser {
 
 }  // namespace
 
-std::vector<std::uint32_t> choose_tab_cuts(const mesh::Surface& surface, const Patch& patch,
-                                           const Folds& folds, const TabGaps& tab_gaps,
-                                           std::span<const TabGap> gaps, double blur, Random& random,
+std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, double blur, Random& random,
                                            const Context& context) {
-  return Chooser(surface, patch, folds, tab_gaps, gaps, context).run(blur, random);
+  return Chooser(forest, context).run(blur, random);
 }
 
 namespace {
@@ -256,6 +253,15 @@ constexpr double trials_in_all = 5000.0;
 constexpr double worth_of_any_tab = 20.0;
 
 using Faces = std::vector<std::uint32_t>;
+
+/// What cutting and uniting have to know and to keep.
+struct SplitRules {
+  const NetProblem& problem;
+  const TabGaps& tab_gaps;
+  const NetsOf& nets_of;
+  std::span<const std::uint32_t> origin;  ///< per face: only pieces of one origin are united
+  bool search = false;                    ///< unfold two pieces again, too, where no cut between them will do
+};
 
 /// How it is tried to make one piece less, cheap ways first.
 enum class Way : std::uint8_t {
@@ -274,13 +280,13 @@ struct Pieces {
 
 class Uniter {
  public:
-  Uniter(const TabUnions& rules, const Folds& folds, std::size_t missing, std::uint64_t seed,
+  Uniter(const SplitRules& rules, const Folds& folds, std::size_t missing, std::uint64_t seed,
          const Context& context)
       : rules_(rules),
         random_(seed),
         context_(context),
         best_{folds, missing},
-        trials_left_(trials_in_all * rules.patch.size()) {}
+        trials_left_(trials_in_all * rules.problem.patch.size()) {}
 
   TabSplit run() {
     const std::size_t count = rules_.search ? ways.size() : 1;
@@ -292,8 +298,8 @@ class Uniter {
 
  private:
   bool unite_any(Way way) {
-    const Layout layout = lay_out(rules_.patch, best_.folds);
-    std::vector<PieceBorder> borders = piece_borders(rules_.patch, layout.piece);
+    const Layout layout = lay_out(rules_.problem.patch, best_.folds);
+    std::vector<PieceBorder> borders = piece_borders(rules_.problem.patch, layout.piece);
     std::erase_if(borders, [&](const PieceBorder& border) {
       const auto origin = [&](std::uint32_t piece) { return rules_.origin[layout.faces[piece].front()]; };
       return origin(border.a) != origin(border.b);
@@ -329,16 +335,16 @@ class Uniter {
     if (context_.out_of_time() || trials_left_ <= 0.0 || !tried_.emplace(way, given.faces).second) {
       return false;
     }
-    given.patch = sub_patch(rules_.patch, given.faces);
-    given.folds = sub_folds(rules_.patch, best_.folds, given.faces);
+    given.patch = sub_patch(rules_.problem.patch, given.faces);
+    given.folds = sub_folds(rules_.problem.patch, best_.folds, given.faces);
     if (way == Way::join) {
       return join(given);
     }
     std::optional<Folds> start = joined(given);
     if (!start && way == Way::unfold) {
       OnePieceSearch search;
-      search.tolerance = rules_.tolerance;
-      start = find_one_piece(given.patch, rules_.room, search, random_.next(), context_).tree;
+      search.tolerance = rules_.problem.tolerance();
+      start = find_one_piece(given.patch, rules_.problem.room, search, random_.next(), context_).tree;
     }
     return start && search(given, std::move(*start));
   }
@@ -383,8 +389,8 @@ class Uniter {
   }
 
   [[nodiscard]] bool is_good(const Patch& patch, const Folds& folds) const {
-    return all_fit(patch, folds, rules_.room) &&
-           find_overlaps(lay_out(patch, folds), rules_.tolerance).empty();
+    return all_fit(patch, folds, rules_.problem.room) &&
+           find_overlaps(lay_out(patch, folds), rules_.problem.tolerance()).empty();
   }
 
   /// Searches for tabs from a clean forest of one piece or two; the cut that links two stays one.
@@ -403,11 +409,12 @@ class Uniter {
     const Annealing rules = annealing_for(tab_trials_per_face, given.patch.size());
     trials_left_ -= static_cast<double>(rules.quick_trials);
     const LinkedPatch linked = linked_patch(given.patch, links);
-    ChangingNet net(rules_.surface, rules_.panels, linked.apart, linked.joined, start, rules_.options,
-                    rules_.tolerance);
+    ChangingNet net(rules_.problem.surface, rules_.problem.panels, linked.apart, linked.joined, start,
+                    rules_.problem.options.tabs, rules_.problem.tolerance());
     Weights weights;
     weights.bare = worth_of_any_tab;
-    anneal(net, cut_facts(net, rules_.options), rules_.room, weights, rules, random_.next(), context_);
+    anneal(net, cut_facts(net, rules_.problem.options.tabs), rules_.problem.room, weights, rules,
+           random_.next(), context_);
     Folds found = net.folds();
     for (const std::uint32_t side : links) {
       set_fold(given.patch, found, side, false);
@@ -416,7 +423,7 @@ class Uniter {
   }
 
   [[nodiscard]] EdgeId edge_of(const Pieces& given, std::uint32_t side) const {
-    return rules_.surface.edge(mesh::corner(given.patch.face[side / 3], side % 3));
+    return rules_.problem.surface.edge(mesh::corner(given.patch.face[side / 3], side % 3));
   }
 
   /// Keeps a forest of these faces if no tab is lost. Joins inside are looked at first, by themselves: that
@@ -426,7 +433,7 @@ class Uniter {
       return false;
     }
     Folds folds = best_.folds;
-    put_back(rules_.patch, given.faces, changed, folds);
+    put_back(rules_.problem.patch, given.faces, changed, folds);
     const std::size_t missing = rules_.tab_gaps.missing(rules_.nets_of(folds)).size();
     if (missing > best_.missing) {
       return false;
@@ -436,7 +443,7 @@ class Uniter {
   }
 
   [[nodiscard]] std::size_t missing_inside(const Pieces& given, const Folds& folds) const {
-    const mesh::Surface& surface = rules_.surface;
+    const mesh::Surface& surface = rules_.problem.surface;
     const Layout layout = lay_out(given.patch, folds);
     Nets nets;
     nets.use = IdVector<EdgeId, EdgeUse>(surface.edge_count(), EdgeUse::cut);
@@ -459,11 +466,11 @@ class Uniter {
         nets.joins.push_back({edge_of(given, side), 0, TabId(), NoTab::not_wanted, false});
       }
     }
-    place_tabs(surface, rules_.panels, rules_.options, nets, context_);
+    place_tabs({surface, rules_.problem.panels, rules_.problem.options.tabs}, nets, context_);
     return rules_.tab_gaps.missing(nets).size();
   }
 
-  const TabUnions& rules_;
+  const SplitRules& rules_;
   Random random_;
   const Context& context_;
   TabSplit best_;
@@ -471,35 +478,33 @@ class Uniter {
   std::set<std::pair<Way, Faces>> tried_;
 };
 
-}  // namespace
-
-TabSplit unite_with_tabs(const TabUnions& rules, const Folds& folds, std::size_t missing, std::uint64_t seed,
+/// Unites neighbouring pieces, the smallest first, wherever the nets then lack no more usable tabs than
+/// before, until no two can be. Deterministic for one seed but for the deadline.
+TabSplit unite_with_tabs(const SplitRules& rules, const TabSplit& split, std::uint64_t seed,
                          const Context& context) {
-  return Uniter(rules, folds, missing, seed, context).run();
+  return Uniter(rules, split.folds, split.missing, seed, context).run();
 }
-
-namespace {
 
 /// Ways to split that are tried: the first by the order of worth, the others with blurred orders.
 constexpr std::size_t attempts = 4;
 constexpr double blur_of_order = 0.5;
 
 /// Cuts until no tab is missing, or none of those that are can be had by cutting.
-TabSplit cut_for_tabs(const mesh::Surface& surface, const Patch& patch, const Folds& folds,
-                      const TabGaps& tab_gaps, const NetsOf& nets_of, double blur, Random& random,
+TabSplit cut_for_tabs(const SplitRules& rules, const Folds& folds, double blur, Random& random,
                       const Context& context) {
+  const Patch& patch = rules.problem.patch;
   TabSplit result{folds, 0};
   for (;;) {
     context.check();
-    const Nets nets = nets_of(result.folds);
-    const std::vector<JoinId> missing = tab_gaps.missing(nets);
+    const Nets nets = rules.nets_of(result.folds);
+    const std::vector<JoinId> missing = rules.tab_gaps.missing(nets);
     result.missing = missing.size();
     if (missing.empty() || context.out_of_time()) {
       return result;
     }
-    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing, context);
-    const std::vector<std::uint32_t> cuts =
-        choose_tab_cuts(surface, patch, result.folds, tab_gaps, gaps, blur, random, context);
+    const std::vector<TabGap> gaps = rules.tab_gaps.gaps(nets, missing, context);
+    const std::vector<std::uint32_t> cuts = choose_tab_cuts(
+        {rules.problem.surface, patch, result.folds, rules.tab_gaps, gaps}, blur, random, context);
     if (cuts.empty()) {
       return result;
     }
@@ -511,22 +516,22 @@ TabSplit cut_for_tabs(const mesh::Surface& surface, const Patch& patch, const Fo
 
 }  // namespace
 
-TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                        const Folds& folds, const Room& room, const TabOptions& options,
-                        const NetsOf& nets_of, double tolerance, std::uint64_t seed, const Context& context) {
-  const TabGaps tab_gaps(surface, panels, patch, folds, options, context);
+TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
+                        const Context& context) {
+  const Patch& patch = problem.patch;
+  const TabGaps tab_gaps({problem.surface, problem.panels, problem.options.tabs}, patch, folds, context);
   const Layout before = lay_out(patch, folds);
-  TabUnions rules{surface, panels, patch, room, options, tab_gaps, nets_of, before.piece, tolerance, false};
+  SplitRules rules{problem, tab_gaps, nets_of, before.piece, false};
   // What there is no time to try is worse than anything.
   std::vector<TabSplit> tried(attempts, {folds, std::numeric_limits<std::size_t>::max()});
   do_in_parallel(attempts, context, [&](std::size_t i, const Context& own) {
     if (i > 0 && own.out_of_time()) {
       return;
     }
-    Random random = Random::stream(seed, i);
+    Random random = Random::stream(context.seed, i);
     const double blur = i == 0 ? 0.0 : blur_of_order;
-    const TabSplit cut = cut_for_tabs(surface, patch, folds, tab_gaps, nets_of, blur, random, own);
-    tried[i] = unite_with_tabs(rules, cut.folds, cut.missing, random.next(), own);
+    const TabSplit cut = cut_for_tabs(rules, folds, blur, random, own);
+    tried[i] = unite_with_tabs(rules, cut, random.next(), own);
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < attempts; ++i) {
@@ -537,7 +542,7 @@ TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& pan
     }
   }
   rules.search = true;
-  return unite_with_tabs(rules, tried[best].folds, tried[best].missing, seed, context);
+  return unite_with_tabs(rules, tried[best], context.seed, context);
 }
 
 }  // namespace ridgecraft::unfold

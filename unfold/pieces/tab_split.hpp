@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A forest that is being split for tabs: what cutting and uniting hand to each other.
+// Where pieces may be split so that every edge that is wide enough has a tab: as few pieces more as can be
+// found.
 #pragma once
 
 #include <cstddef>
@@ -30,49 +31,29 @@ struct TabSplit {
 
 // Which folds to cut so that tabs get room: those that lie between many tabs and what stands in their way.
 
+/// A forest of the whole surface's patch that lacks tabs.
+struct ForestWithGaps {
+  const mesh::Surface& surface;
+  const Patch& patch;
+  const Folds& folds;
+  const TabGaps& tab_gaps;
+  std::span<const TabGap> gaps;
+};
+
 /// Chooses folds, one side of each, until each gap has a place from which all that stands in its way is cut
 /// off, as far as cutting can do that: the fold that does most for all gaps first (greedy set cover, V.
 /// Chvatal 1979, over tree paths). What the tabs of the new cuts need isn't foreseen. `blur` of 0 or more
-/// makes the order random by so much. `patch`: of the whole surface. O(cuts (gaps + folds on their paths)).
-/// Throws Error(interrupted).
-[[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const mesh::Surface& surface, const Patch& patch,
-                                                         const Folds& folds, const TabGaps& tab_gaps,
-                                                         std::span<const TabGap> gaps, double blur,
+/// makes the order random by so much. O(cuts (gaps + folds on their paths)). Throws Error(interrupted).
+[[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, double blur,
                                                          Random& random, const Context& context);
-
-// Pieces that were split for tabs become one again where that costs no tab.
-
-/// What uniting has to know and to keep.
-struct TabUnions {
-  const mesh::Surface& surface;
-  const prepare::Panels& panels;
-  const Patch& patch;
-  const Room& room;
-  const TabOptions& options;
-  const TabGaps& tab_gaps;
-  const NetsOf& nets_of;
-  std::span<const std::uint32_t> origin;  ///< per face: only pieces of one origin are united
-  double tolerance = 0.0;                 ///< of overlap, mm
-  bool search = false;                    ///< unfold two pieces afresh too where no cut between them will do
-};
-
-/// Unites neighbouring pieces, the smallest first, wherever the nets then lack no more usable tabs than
-/// before (`missing`), until no two can be. Deterministic for one seed but for the deadline.
-[[nodiscard]] TabSplit unite_with_tabs(const TabUnions& rules, const Folds& folds, std::size_t missing,
-                                       std::uint64_t seed, const Context& context);
-
-// Where pieces may be split so that every edge that is wide enough has a tab: as few pieces more as can be
-// found.
 
 /// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and unites what
 /// was cut again where all keep theirs, folded otherwise if need be. Each round cuts the folds that lie
 /// between the most tabs and what stands in their way (greedy set cover over tree paths, as in
 /// fewest_pieces.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
 /// the room. Every tab that is counted was placed by place_tabs. Deterministic for one seed but for the
-/// deadline, at which it returns what it has. `patch`: of the whole surface.
-[[nodiscard]] TabSplit split_for_tabs(const mesh::Surface& surface, const prepare::Panels& panels,
-                                      const Patch& patch, const Folds& folds, const Room& room,
-                                      const TabOptions& options, const NetsOf& nets_of, double tolerance,
-                                      std::uint64_t seed, const Context& context);
+/// deadline, at which it returns what it has.
+[[nodiscard]] TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
+                                      const Context& context);
 
 }  // namespace ridgecraft::unfold

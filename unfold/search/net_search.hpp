@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/context.hpp"
 #include "base/geometry.hpp"
 #include "unfold/patch/patch.hpp"
+#include "unfold/patch/problem.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/search/circle_tree.hpp"
 
@@ -66,5 +68,23 @@ struct NetFound {
 /// with any number of threads.
 [[nodiscard]] NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed,
                                 const Context& context);
+
+// Can these faces be one piece? A quick search that is made for many unions of pieces.
+
+struct OnePieceSearch {
+  double tolerance = 0.0;  ///< mm
+  int starts = 3;          ///< start trees
+  std::uint64_t iterations_per_face = 2;
+};
+
+struct OnePieceFound {
+  std::optional<Folds> tree;
+  std::uint64_t cost = 0;  ///< faces times iterations: about four million a second
+};
+
+/// A tree of a connected patch, panels whole, that has no overlap and fits the room; none where the search
+/// finds none. The first that is found is taken.
+[[nodiscard]] OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
+                                           std::uint64_t seed, const Context& context);
 
 }  // namespace ridgecraft::unfold

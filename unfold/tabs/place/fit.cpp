@@ -299,9 +299,7 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets) {
   }
 }
 
-void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                       const Sheet& sheet, Nets& nets, const Context& context,
-                       std::span<const TabRequest> requests) {
+void fit_tabs_to_sheet(const TabProblem& problem, const Sheet& sheet, Nets& nets, const Context& context) {
   const TabsOfPiece tabs = tabs_of_pieces(nets);
   const auto fits = [&](PieceId p) { return fits_with(nets, p, tabs[p], sheet); };
   const auto pieces = ids<PieceId>(nets.pieces.size());
@@ -315,11 +313,12 @@ void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& pane
       had.push_back(j);
     }
   }
-  const std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, options, context);
-  for (int round = 0;
-       round < most_rounds && !context.out_of_grace() && add_rooms(sheet, options, sites, nets, rooms);
+  const std::vector<TabSite> sites =
+      find_tab_sites(problem.surface, problem.panels, nets, problem.options, context);
+  for (int round = 0; round < most_rounds && !context.out_of_grace() &&
+                      add_rooms(sheet, problem.options, sites, nets, rooms);
        ++round) {
-    place_tabs(surface, panels, options, nets, context, rooms, requests);
+    place_tabs({problem.surface, problem.panels, problem.options, problem.requests, rooms}, nets, context);
   }
   for (const JoinId j : had) {
     if (!nets.joins[j].tab.valid()) {

@@ -13,8 +13,8 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
-#include "unfold/tabs/place/tab_requests.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -32,12 +32,10 @@ void keep_only(const IdVector<TabId, std::uint8_t>& keep, Nets& nets);
 
 /// Brings the tabs of each piece that fits the sheet without them, but not with them, onto the sheet: it is
 /// laid so that most of its tabs are on it or have paper on the other side, and all tabs are
-/// placed afresh, those of that piece inside the sheet: lower, or from the other side of their join. What
+/// placed again, those of that piece inside the sheet: lower, or from the other side of their join. What
 /// finds no place says so (NoTab::beyond_sheet). `nets` has the tabs of place_tabs. O(pieces h^2) where all
 /// fit. Throws Error(interrupted).
-void fit_tabs_to_sheet(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                       const Sheet& sheet, Nets& nets, const Context& context,
-                       std::span<const TabRequest> requests = {});
+void fit_tabs_to_sheet(const TabProblem& problem, const Sheet& sheet, Nets& nets, const Context& context);
 
 // Tabs that come after those of the joins, and keep clear of all that stand already.
 

@@ -133,21 +133,20 @@ class TabGaps::Surroundings {
   IdVector<PieceId, BoxGrid> tab_boxes_;   ///< ... and of tabs_
 };
 
-TabGaps::TabGaps(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                 const Folds& folds, const TabOptions& options, const Context& context)
-    : surface_(surface),
-      options_(options),
-      able_(surface.edge_count(), 0),
-      candidates_(surface.corner_count()) {
-  Nets apart = all_apart(surface, patch, folds);
-  place_tabs(surface, panels, options, apart, context);
+TabGaps::TabGaps(const TabProblem& problem, const Patch& patch, const Folds& folds, const Context& context)
+    : surface_(problem.surface),
+      options_(problem.options),
+      able_(surface_.edge_count(), 0),
+      candidates_(surface_.corner_count()) {
+  Nets apart = all_apart(surface_, patch, folds);
+  place_tabs(problem, apart, context);
   for (const Join& join : apart.joins) {
-    able_[join.edge] = join.tab.valid() && is_usable(surface, apart, join.tab, options) ? 1 : 0;
+    able_[join.edge] = join.tab.valid() && is_usable(surface_, apart, join.tab, options_) ? 1 : 0;
   }
-  for (const TabSite& site : find_tab_sites(surface, panels, apart, options, context)) {
+  for (const TabSite& site : find_tab_sites(surface_, problem.panels, apart, options_, context)) {
     candidates_[site.side.value()] = tab_candidates(
-        largest_tab({0.0, site.length, site.length}, target_outline(site), options, TabNeed::usable),
-        site.length, options);
+        largest_tab({0.0, site.length, site.length}, target_outline(site), options_, TabNeed::usable),
+        site.length, options_);
   }
 }
 
@@ -195,12 +194,16 @@ ConvexShape turned_over(const ConvexShape& shape, double length) {
 
 class MoreTabs {
  public:
-  MoreTabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-           std::span<const TabRequest> requests, Nets& nets, const Context& context)
-      : surface_(surface), nets_(nets), options_(options), requests_(requests), standing_(nets, options) {
+  MoreTabs(const TabProblem& problem, Nets& nets, const Context& context)
+      : surface_(problem.surface),
+        nets_(nets),
+        options_(problem.options),
+        requests_(problem.requests),
+        standing_(nets, problem.options) {
     // What is glued to another tab may be larger than the face behind it.
     options_.inside_target = false;
-    sites_ = find_tab_sites(surface, panels, nets, with_greatest_height(options_, requests), context);
+    sites_ =
+        find_tab_sites(surface_, problem.panels, nets, with_greatest_height(options_, requests_), context);
     for (const Tab& tab : nets.tabs) {
       const std::size_t even = std::size_t{2} * tab.join.value();
       const TabSite& site = sites_[tab.side == sites_[even].side ? even : even + 1];
@@ -255,20 +258,19 @@ class MoreTabs {
 
 }  // namespace
 
-void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabRequest> requests, const TabChoice& choice, Nets& nets,
-                   const Context& context) {
-  if (!choice.borders && std::ranges::none_of(requests, &TabRequest::second)) {
+void add_more_tabs(const TabProblem& problem, const std::optional<Sheet>& sheet, const TabChoice& choice,
+                   Nets& nets, const Context& context) {
+  if (!choice.borders && std::ranges::none_of(problem.requests, &TabRequest::second)) {
     return;
   }
   const std::size_t first = nets.tabs.size();
-  MoreTabs more(surface, panels, options.tabs, requests, nets, context);
+  MoreTabs more(problem, nets, context);
   more.add_seconds();
   if (choice.borders) {
     more.add_borders(choice, context);
   }
-  if (options.sheet && nets.tabs.size() > first) {
-    drop_beyond(*options.sheet, first, nets);
+  if (sheet && nets.tabs.size() > first) {
+    drop_beyond(*sheet, first, nets);
   }
 }
 

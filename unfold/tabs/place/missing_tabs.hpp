@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,7 @@
 #include "unfold/net/nets.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/tabs/place/tab_requests.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
 namespace ridgecraft::unfold {
@@ -32,8 +33,7 @@ class TabGaps {
  public:
   /// What stays together whatever is cut: the folds of the forest that are frozen in the patch (of the whole
   /// surface). O(n log n).
-  TabGaps(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, const Folds& folds,
-          const TabOptions& options, const Context& context);
+  TabGaps(const TabProblem& problem, const Patch& patch, const Folds& folds, const Context& context);
 
   /// Would a join of this edge have a usable tab if all that can be cut were? Others have no face behind them
   /// that is wide enough, or are in each other's way around one flat region.
@@ -62,8 +62,7 @@ class TabGaps {
 /// of it: the two are glued to each other. Where the choice wants them, tabs at borders, too, which have no
 /// join. They come after all others, keep clear of them, and are left out on pieces that don't fit the sheet
 /// with them. O(n log n) for pieces of bounded size. Throws Error(interrupted).
-void add_more_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const Options& options,
-                   std::span<const TabRequest> requests, const TabChoice& choice, Nets& nets,
-                   const Context& context);
+void add_more_tabs(const TabProblem& problem, const std::optional<Sheet>& sheet, const TabChoice& choice,
+                   Nets& nets, const Context& context);
 
 }  // namespace ridgecraft::unfold

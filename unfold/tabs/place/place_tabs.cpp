@@ -113,9 +113,8 @@ bool both_too_narrow(const TabSite& a, const TabSite& b, const TabOptions& optio
 
 }  // namespace
 
-void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, const TabOptions& options,
-                Nets& nets, const Context& context, std::span<const std::optional<TabRoom>> rooms,
-                std::span<const TabRequest> requests) {
+void place_tabs(const TabProblem& problem, Nets& nets, const Context& context) {
+  const TabOptions& options = problem.options;
   nets.tabs = {};
   for (Join& join : nets.joins) {
     join.tab = TabId();
@@ -129,25 +128,25 @@ void place_tabs(const mesh::Surface& surface, const prepare::Panels& panels, con
     give_up(nets);
     return;
   }
-  const TabOptions highest = with_greatest_height(options, requests);
-  std::vector<TabSite> sites = find_tab_sites(surface, panels, nets, highest, context);
+  const TabOptions highest = with_greatest_height(options, problem.requests);
+  std::vector<TabSite> sites = find_tab_sites(problem.surface, problem.panels, nets, highest, context);
   if (context.out_of_grace()) {
     give_up(nets);
     return;
   }
   for (TabSite& site : sites) {
-    if (site.piece.value() < rooms.size() && rooms[site.piece.value()]) {
-      add_walls(*rooms[site.piece.value()], highest, site);
+    if (site.piece.value() < problem.rooms.size() && problem.rooms[site.piece.value()]) {
+      add_walls(*problem.rooms[site.piece.value()], highest, site);
     }
   }
-  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, requests);
+  const auto chosen = assign_tabs(sites, preferred_sides(sites), options, context, problem.requests);
   for (const JoinId j : ids<JoinId>(nets.joins.size())) {
     Join& join = nets.joins[j];
     const auto& tab = chosen[j.value()];
     const bool time_up = context.out_of_grace();
     join.too_narrow = !(tab && tab->shape.usable) && !time_up &&
                       both_too_narrow(sites[2 * j.value()], sites[2 * j.value() + 1], options);
-    if (!tab && !requests.empty() && !requests[j.value()].wanted) {
+    if (!tab && !problem.requests.empty() && !problem.requests[j.value()].wanted) {
       continue;  // NoTab::not_wanted
     }
     if (!tab) {
