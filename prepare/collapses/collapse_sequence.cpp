@@ -369,16 +369,17 @@ struct StopAt {
 
 }  // namespace
 
-std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
-                                        const Walls& walls, std::size_t faces, const CollapseRules& rules,
-                                        const Context& context) {
+std::vector<Collapse> collapse_sequence(const FundamentalDomain& domain, const Walls& walls,
+                                        const CollapseRules& rules, const Context& context) {
+  const mesh::LooseFaces& loose = domain.faces;
+  const PointRules& points = domain.points;
   std::vector<Collapse> collapses;
   std::size_t all = 0;
   for (const auto& face : loose.faces) {
     all += points.copies[face[0]];
   }
   all -= 2 * points.crossings.size();
-  if (all <= faces) {
+  if (all <= rules.faces) {
     return collapses;
   }
   EditMesh mesh = edit_mesh(loose);
@@ -392,7 +393,7 @@ std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const Poi
   }
   WallFaces wall_faces(walls, in_plane * box.diagonal(), step * rules.short_edge);
   std::vector<double> drift(loose.points.size(), 0.0);
-  const StopAt stop{&collapses, faces};
+  const StopAt stop{&collapses, rules.faces};
   Watch watch(context);
   const WeightedCost cost(policies, bound, rules, watch);
   const GuardedPlacement guard(policies, bound, wall_faces, rules, drift, watch);

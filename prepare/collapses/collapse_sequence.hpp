@@ -23,16 +23,17 @@ struct CollapseRules {
   /// part of the original than largest_deviation.
   mesh::NearField* field = nullptr;
   double largest_deviation = 0.0;
+  std::size_t faces = 0;  ///< collapses end at so many, counted in the whole
 };
 
 /// Collapses by least quadric error (Garland, Heckbert: Surface simplification using quadric error
-/// metrics, 1997; CGAL's implementation) down to `faces` faces, or until no collapse is left that keeps the
-/// surface manifold without flipping or folding faces. Borders and sharp edges stay by the planes they add.
-/// Of a domain of a symmetric whole the errors are those of the whole, and no edge or face comes to lie
-/// between points of a plane but its border. Vertices of walls stay in their planes, and no wall vanishes.
-/// Faces are counted in the whole. The input must fulfil mesh::Surface's invariants. O(n log n).
-[[nodiscard]] std::vector<Collapse> collapse_sequence(const mesh::LooseFaces& loose, const PointRules& points,
-                                                      const Walls& walls, std::size_t faces,
+/// metrics, 1997; CGAL's implementation) down to the number of faces of the rules, or until no collapse is
+/// left that keeps the surface manifold without flipping or folding faces. Borders and sharp edges stay by
+/// the planes they add. Of a domain of a symmetric whole the errors are those of the whole, and no edge or
+/// face comes to lie between points of a plane but its border. Vertices of walls stay in their planes, and no
+/// wall vanishes. Faces are counted in the whole. The domain's faces must fulfil mesh::Surface's invariants.
+/// O(n log n).
+[[nodiscard]] std::vector<Collapse> collapse_sequence(const FundamentalDomain& domain, const Walls& walls,
                                                       const CollapseRules& rules, const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -430,10 +430,9 @@ class QuickCollapses {
 
 }  // namespace
 
-std::vector<Collapse> quick_collapses(const mesh::LooseFaces& loose, const PointRules& points,
-                                      const Walls& walls, std::size_t faces, double farthest,
-                                      const Context& context) {
-  return QuickCollapses(loose, points, walls, farthest).run(faces, context);
+std::vector<Collapse> quick_collapses(const FundamentalDomain& domain, const Walls& walls, std::size_t faces,
+                                      double farthest, const Context& context) {
+  return QuickCollapses(domain.faces, domain.points, walls, farthest).run(faces, context);
 }
 
 }  // namespace ridgecraft::prepare

@@ -18,9 +18,9 @@ namespace ridgecraft::prepare {
 /// anything that matters. Points of the border, of walls and of mirror planes stay as they are. No point
 /// comes to lie farther than `farthest` from the planes of the faces that went for it, in the mean of their
 /// squares. Ends at `faces` faces, which are counted in the whole, or where a pass finds next to nothing. The
-/// input must fulfil mesh::Surface's invariants, and so does the result. O(n log n).
-[[nodiscard]] std::vector<Collapse> quick_collapses(const mesh::LooseFaces& loose, const PointRules& points,
-                                                    const Walls& walls, std::size_t faces, double farthest,
+/// domain's faces must fulfil mesh::Surface's invariants, and so does the result. O(n log n).
+[[nodiscard]] std::vector<Collapse> quick_collapses(const FundamentalDomain& domain, const Walls& walls,
+                                                    std::size_t faces, double farthest,
                                                     const Context& context);
 
 }  // namespace ridgecraft::prepare

@@ -52,12 +52,11 @@ mesh::Model model_of(const FundamentalDomain& domain, const mesh::LooseFaces& mo
 }
 
 Sequence::Sequence(FundamentalDomain start, const mesh::LooseFaces& model, const Walls& walls,
-                   std::size_t faces, const CollapseRules& rules, const Context& context)
+                   const CollapseRules& rules, const Context& context)
     : start_(std::move(start)),
       model_(&model),
       context_(&context),
-      collapses_(
-          collapse_sequence(start_.faces, start_.points, walls_of(walls, start_), faces, rules, context)) {}
+      collapses_(collapse_sequence(start_, walls_of(walls, start_), rules, context)) {}
 
 std::size_t Sequence::count_for(std::size_t faces) const {
   if (start_.face_count() <= faces) {
@@ -241,10 +240,11 @@ FundamentalDomain coarse_start(const FundamentalDomain& body, const mesh::Surfac
   }
   FundamentalDomain start = body;
   if (body.face_count() > std::max(very_many_faces, 2 * quick * far)) {
-    start = collapsed(body, quick_collapses(body.faces, body.points, walls_of(*rules.walls, body),
-                                            quick * far, quick_fraction * rules.largest_mm, context));
+    start = collapsed(body, quick_collapses(body, walls_of(*rules.walls, body), quick * far,
+                                            quick_fraction * rules.largest_mm, context));
   }
-  const Sequence first(start, rules.model, *rules.walls, far, {rules.options.short_edge_mm}, context);
+  const Sequence first(start, rules.model, *rules.walls,
+                       {.short_edge = rules.options.short_edge_mm, .faces = far}, context);
   const mesh::Model coarser = first.after(first.all());
   const double distance = greatest_distance(mesh::SurfaceTree(coarser.surface, rules.spacing_mm), original,
                                             rules.largest_mm, context);
@@ -289,8 +289,9 @@ std::optional<FundamentalDomain> simplified_body(const FundamentalDomain& body, 
   mesh::NearField field(original, bound * rules.largest_mm);
   std::optional<Candidate> best;
   for (const double power : powers) {
-    const CollapseRules how{rules.options.short_edge_mm, power, &field, bound * rules.largest_mm};
-    const Sequence sequence(start, rules.model, *rules.walls, fewest_faces, how, context);
+    const CollapseRules how{rules.options.short_edge_mm, power, &field, bound * rules.largest_mm,
+                            fewest_faces};
+    const Sequence sequence(start, rules.model, *rules.walls, how, context);
     Candidate candidate = sequence.all() > 0 ? Search(sequence, original, rules, many, context).best()
                                              : unchanged(start, sequence, rules);
     if (!best || better(candidate, *best)) {

@@ -41,8 +41,8 @@ inline constexpr double quick_fraction = 0.1;
 class Sequence {
  public:
   /// `walls` are those of the whole, `model` is the whole taken apart and must outlive it, as must the
-  /// context. Collapses down to `faces` faces, O(n log n).
-  Sequence(FundamentalDomain start, const mesh::LooseFaces& model, const Walls& walls, std::size_t faces,
+  /// context. O(n log n).
+  Sequence(FundamentalDomain start, const mesh::LooseFaces& model, const Walls& walls,
            const CollapseRules& rules, const Context& context);
 
   [[nodiscard]] std::size_t all() const { return collapses_.size(); }

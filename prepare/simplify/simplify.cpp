@@ -75,9 +75,8 @@ std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const
     const FundamentalDomain domain = fundamental_domain(model, symmetric_within, context);
     dense.asymmetry_mm = domain.deviation;
     const Walls flat = walls_of(large_regions(model.surface, panels, options.short_edge_mm), domain);
-    faces = expand(collapsed(domain, quick_collapses(domain.faces, domain.points, flat, aim,
-                                                     quick_fraction * largest_mm, context)),
-                   all);
+    faces = expand(
+        collapsed(domain, quick_collapses(domain, flat, aim, quick_fraction * largest_mm, context)), all);
   }
   dense.before = std::move(model.surface);
   mesh::put_together(model, std::move(faces));
@@ -249,7 +248,8 @@ void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
     const Walls walls =
         factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm, Slats::are_walls)
                      : Walls{};
-    const Sequence sequence(domain, all, walls, options.faces, {options.short_edge_mm}, context);
+    const Sequence sequence(domain, all, walls, {.short_edge = options.short_edge_mm, .faces = options.faces},
+                            context);
     simplified = sequence.domain(sequence.all());
     if (sequence.faces_after(sequence.all()) <= options.faces) {
       break;

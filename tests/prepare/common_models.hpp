@@ -20,12 +20,13 @@ inline constexpr prepare::PanelRoom page{{190.0, 270.0}};
 inline const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 0.4}, {2, 0.5},
                                     {1.7, 0.4}, {1.5, 0},    {1.7, -0.4}, {2, -0.5}};
 
-/// Points of which each stands for itself.
-[[nodiscard]] inline prepare::PointRules free_points(const mesh::LooseFaces& loose) {
-  prepare::PointRules points;
-  points.plane.assign(loose.points.size(), no_index);
-  points.copies.assign(loose.points.size(), 1);
-  return points;
+/// Faces of which each stands for itself, for collapses.
+[[nodiscard]] inline prepare::FundamentalDomain free_domain(const mesh::LooseFaces& loose) {
+  prepare::FundamentalDomain domain;
+  domain.faces = loose;
+  domain.points.plane.assign(loose.points.size(), no_index);
+  domain.points.copies.assign(loose.points.size(), 1);
+  return domain;
 }
 
 /// The model that a file of the surface would become.

@@ -118,7 +118,7 @@ TEST_CASE("after any number of collapses the whole is a surface and its own mirr
     const mesh::LooseFaces all = mesh::take_apart(model);
     const FundamentalDomain domain = prepare::fundamental_domain(model, 0.003, {});
     REQUIRE(domain.symmetric());
-    const auto collapses = prepare::collapse_sequence(domain.faces, domain.points, {}, 0, {}, {});
+    const auto collapses = prepare::collapse_sequence(domain, {}, {}, {});
     REQUIRE(collapses.size() > 50);
     for (std::size_t count = 0; count <= collapses.size(); count += 3) {
       const mesh::LooseFaces faces =
@@ -171,7 +171,7 @@ TEST_CASE("each side keeps its materials", "[simplify][symmetry]") {
     }
   };
   check(prepare::expand(domain, all));
-  const auto collapses = prepare::collapse_sequence(domain.faces, domain.points, {}, 1000, {}, {});
+  const auto collapses = prepare::collapse_sequence(domain, {}, {.faces = 1000}, {});
   check(prepare::expand(prepare::collapsed(domain, collapses), all));
 }
 

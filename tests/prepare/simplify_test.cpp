@@ -21,7 +21,7 @@
 using namespace ridgecraft;
 using prepare::Prepared;
 using prepare::SimplifyOptions;
-using test::free_points;
+using test::free_domain;
 using test::page;
 using test::ring;
 
@@ -114,7 +114,7 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
   const mesh::Model model = test::repaired(test::soup_of(fine));
   const mesh::LooseFaces loose = mesh::take_apart(model);
   const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), {}, 200, {}, {});
+      prepare::collapse_sequence(free_domain(loose), {}, {.faces = 200}, {});
   REQUIRE(collapses.size() > 100);
   std::array<int, 3> doubles{};
   for (const prepare::Collapse& c : collapses) {
@@ -131,8 +131,7 @@ TEST_CASE("positions stay doubles on the way through CGAL and OpenMesh", "[simpl
 TEST_CASE("a sequence can be stopped anywhere", "[simplify]") {
   const mesh::Model model = test::repaired(test::soup_of(test::revolve(ring, 30)));
   const mesh::LooseFaces loose = mesh::take_apart(model);
-  const std::vector<prepare::Collapse> collapses =
-      prepare::collapse_sequence(loose, free_points(loose), {}, 0, {}, {});
+  const std::vector<prepare::Collapse> collapses = prepare::collapse_sequence(free_domain(loose), {}, {}, {});
   REQUIRE(collapses.size() > 100);
   for (std::size_t count = 0; count <= collapses.size(); count += 10) {
     const mesh::LooseFaces faces = prepare::replay(loose, std::span(collapses).first(count));
@@ -248,7 +247,7 @@ double distance(const mesh::LooseFaces& a, const mesh::LooseFaces& b) {
 
 TEST_CASE("quick collapses leave a surface near the one before, wherever they end", "[quick_collapses]") {
   const mesh::LooseFaces loose = fine(test::sphere(160, 80));
-  const auto collapses = prepare::quick_collapses(loose, free_points(loose), {}, 2000, INFINITY, {});
+  const auto collapses = prepare::quick_collapses(free_domain(loose), {}, 2000, INFINITY, {});
   REQUIRE(collapses.size() > 10000);
   CHECK(collapses.back().faces <= 2000);
   CHECK(collapses.back().faces >= 1998);
@@ -265,14 +264,15 @@ TEST_CASE("quick collapses leave a surface near the one before, wherever they en
 TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_collapses]") {
   const mesh::LooseFaces tube = fine(test::revolve({{1, 0}, {1.1, 0.5}, {1.05, 1}, {1, 1.5}}, 80));
   // Two rings are borders, so nothing but the two between can go.
-  const auto of_tube = prepare::quick_collapses(tube, free_points(tube), {}, 0, INFINITY, {});
+  const auto of_tube = prepare::quick_collapses(free_domain(tube), {}, 0, INFINITY, {});
   for (const prepare::Collapse& c : of_tube) {
     const double height = tube.points[c.gone].z;
     CHECK(height > 0.1);
     CHECK(height < 1.4);
   }
   const mesh::LooseFaces torus = fine(test::revolve(ring, 100));
-  prepare::PointRules points = free_points(torus);
+  prepare::FundamentalDomain domain = free_domain(torus);
+  prepare::PointRules& points = domain.points;
   prepare::Walls walls;
   walls.walls.push_back({{0, 0, 1}, 0.5});
   walls.of_face.assign(torus.faces.size(), prepare::Walls::none);
@@ -290,7 +290,7 @@ TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_c
       bound[v] = true;
     }
   }
-  const auto collapses = prepare::quick_collapses(torus, points, walls, 0, INFINITY, {});
+  const auto collapses = prepare::quick_collapses(domain, walls, 0, INFINITY, {});
   REQUIRE(collapses.size() > 50);
   for (const prepare::Collapse& c : collapses) {
     CHECK_FALSE(bound[c.gone]);
@@ -303,8 +303,8 @@ TEST_CASE("quick collapses keep borders, walls and points of a plane", "[quick_c
 
 TEST_CASE("quick collapses end where nothing is left to be done", "[quick_collapses]") {
   const mesh::LooseFaces cube = fine(test::voxels({{0, 0, 0}}, 1));
-  CHECK(prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}).size() <= 4);
+  CHECK(prepare::quick_collapses(free_domain(cube), {}, 0, INFINITY, {}).size() <= 4);
   const mesh::LooseFaces nothing =
-      prepare::replay(cube, prepare::quick_collapses(cube, free_points(cube), {}, 0, INFINITY, {}));
+      prepare::replay(cube, prepare::quick_collapses(free_domain(cube), {}, 0, INFINITY, {}));
   CHECK(mesh::is_surface(nothing));
 }
