@@ -53,12 +53,12 @@ inline bool ablation_leaves_out(const char* step) {
 # Step: file, the text that is replaced (once), and what replaces it; OUT stands for the question whether it is left out.
 STEPS = {
     # unfold/
-    "merge_parts": ("unfold/unfold.cpp", "Folds merged = rules.merge ?", "Folds merged = rules.merge && !OUT ?"),
-    "mirror_all": ("unfold/unfold.cpp", "images = context.out_of_time() ?", "images = OUT || context.out_of_time() ?"),
+    "merge_parts": ("unfold/unfold.cpp", "if (rules.merge) {\n      folds_ = merge_parts", "if (rules.merge && !OUT) {\n      folds_ = merge_parts"),
+    "mirror_all": ("unfold/unfold.cpp", "if (!context_.out_of_time()) {\n      images_", "if (!OUT && !context_.out_of_time()) {\n      images_"),
     "better_borders": ("unfold/pieces/better_borders.cpp", "  const std::vector<Group> groups = groups_of(", "  if (OUT) {\n    return folds;\n  }\n  const std::vector<Group> groups = groups_of("),
-    "ragged_pieces": ("unfold/unfold.cpp", "if (rules.merge && !context.out_of_time())", "if (rules.merge && !OUT && !context.out_of_time())"),
+    "ragged_pieces": ("unfold/unfold.cpp", "if (!asked_.options.pieces.merge ||", "if (OUT || !asked_.options.pieces.merge ||"),
     "better_trees": ("unfold/pieces/better_trees.cpp", "  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort", "  if (OUT) {\n    return folds;\n  }\n  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort"),
-    "one_of_each": ("unfold/unfold.cpp", "each = one_of_each(whole);", "each = OUT ? std::nullopt : one_of_each(whole);"),
+    "one_of_each": ("unfold/unfold.cpp", "each_(one_of_each(whole)),", "each_(OUT ? std::nullopt : one_of_each(whole)),"),
     "close_flat_cuts": ("unfold/unfold.cpp", "  close_flat_cuts(", "  if (!OUT) close_flat_cuts("),
     "kept_bands": ("unfold/plan.cpp", "if (rules.merge && rules.mode", "if (!OUT && rules.merge && rules.mode"),
     "refine": ("unfold/pieces/patch_nets.cpp", "    refine();\n", "    if (!OUT) refine();\n"),
@@ -68,9 +68,9 @@ STEPS = {
     "pieces_without_paper": ("unfold/pieces/patch_nets.cpp", "if (room_.sheet && pieces > without.limits)", "if (!OUT && room_.sheet && pieces > without.limits)"),
     "prove": ("unfold/pieces/fewest_pieces.cpp", "  void prove() {\n    if (context_", "  void prove() {\n    if (OUT || context_"),
     "exact_walk": ("unfold/energy/anneal.cpp", "if (!net.has_tabs() || rules.exact_trials", "if (OUT || !net.has_tabs() || rules.exact_trials"),
-    "fit_tabs": ("unfold/tabs_of_nets.cpp", "if (options.sheet) {\n    fit_tabs", "if (!OUT && options.sheet) {\n    fit_tabs"),
+    "fit_tabs": ("unfold/tabs_of_nets.cpp", "if (task.options.sheet) {\n    fit_tabs", "if (!OUT && task.options.sheet) {\n    fit_tabs"),
     "improved_tabs": ("unfold/tabs/place/place_tabs.cpp", "auto chosen = assign_tabs(sites, preferred_sides(sites), options,", "auto chosen = assign_tabs(sites, OUT ? decltype(preferred_sides(sites))(preferred_sides(sites).size()) : preferred_sides(sites), options,"),
-    "base_tabs": ("unfold/unfold.cpp", "  add_base_tabs(surface", "  if (!OUT) add_base_tabs(surface"),
+    "base_tabs": ("unfold/unfold.cpp", "    add_base_tabs(whole_", "    if (!OUT) add_base_tabs(whole_"),
     # prepare/
     "thin_walls": ("prepare/clean_bodies.cpp", "  report.thin_walls = merge_thin_walls(model, simplify.skins, simplify.tiny_edge_mm / mm, context);", "  if (!OUT) report.thin_walls = merge_thin_walls(model, simplify.skins, simplify.tiny_edge_mm / mm, context);"),
     "details": ("prepare/clean_bodies.cpp", "  const double mm = judged_mm_per_unit(model, size);\n  if (simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};", "  const double mm = judged_mm_per_unit(model, size);\n  if (OUT || simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};"),
