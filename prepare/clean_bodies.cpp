@@ -81,7 +81,7 @@ bool Neighbours::are_several(const ComponentFaces& faces, double reach,
 // Bodies that hardly stand out of others.
 
 /// How far apart components may be that meet, as a share of what is low.
-constexpr double hair = 0.02;
+constexpr double meeting_hair = 0.02;
 
 /// Which of the `candidates` lie on the `ground` all over: no place of them is farther from its faces than
 /// `height`, in the unit of the surface, inside it or outside. A window frame in a wall is such a relief. One
@@ -106,7 +106,7 @@ std::vector<bool> are_reliefs(const mesh::Surface& surface, const std::vector<Co
       const mesh::SurfaceTree places(alone, 0.5 * height);
       return std::all_of(places.samples().begin(), places.samples().end(), is_near);
     };
-    result[c] = may_be && all_near() && !neighbours.are_several(candidates[c], hair * height);
+    result[c] = may_be && all_near() && !neighbours.are_several(candidates[c], meeting_hair * height);
   }
   return result;
 }
@@ -186,9 +186,9 @@ struct Component {
 };
 
 /// What sheets may lie on.
-class Walls {
+class SheetSupports {
  public:
-  Walls(const mesh::Surface& surface, const std::vector<Component>& components)
+  SheetSupports(const mesh::Surface& surface, const std::vector<Component>& components)
       : surface_(surface),
         faces_(of_bodies(components)),
         tree_(
@@ -299,7 +299,7 @@ class DetailSearch {
     if (std::none_of(components_.begin(), components_.end(), is_sheet)) {
       return;
     }
-    const Walls walls(surface_, components_);
+    const SheetSupports walls(surface_, components_);
     for (Component& c : components_) {
       if (c.kind == Kind::sheet && !lies_on(c, walls)) {
         c.kind = Kind::body;
@@ -331,7 +331,7 @@ class DetailSearch {
   }
 
   /// A pane that fills a hole has a wall all round, but none right behind it.
-  [[nodiscard]] bool lies_on(const Component& sheet, const Walls& walls) const {
+  [[nodiscard]] bool lies_on(const Component& sheet, const SheetSupports& walls) const {
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
       context_.check();
       const auto [v0, v1, v2] = surface_.vertices(f);
