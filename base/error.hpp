@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "base/message.hpp"
+
 namespace ridgecraft {
 
 /// Why the program can't do what it was asked. Each kind is one exit code (cli/exit_code.hpp,
@@ -24,19 +26,27 @@ enum class ErrorKind {
   out_of_time,       ///< the time given passed while there was no result yet
 };
 
-/// One sentence for a person, thrown where files and options meet the program, and caught once, in cli/.
-/// what() is the whole sentence; it names the file, option or face concerned and ends without a full stop.
+/// One message for a person, thrown where files and options meet the program, and caught once, in cli/.
+/// what() is its English sentence; it names the file, option or face concerned and ends without a full stop.
 class Error : public std::runtime_error {
  public:
   /// `about` is the file that the sentence names. Where a stage knows no files it stays empty: then whoever
   /// knows which model the stage worked on can put its name before the sentence.
+  Error(ErrorKind kind, Message message, std::string about = {})
+      : std::runtime_error(english(message)),
+        kind_(kind),
+        message_(std::move(message)),
+        about_(std::move(about)) {}
+  /// A sentence without a code, such as those of the readers of files.
   Error(ErrorKind kind, const std::string& sentence, std::string about = {})
-      : std::runtime_error(sentence), kind_(kind), about_(std::move(about)) {}
+      : Error(kind, plain_message(sentence), std::move(about)) {}
   [[nodiscard]] ErrorKind kind() const { return kind_; }
+  [[nodiscard]] const Message& message() const { return message_; }
   [[nodiscard]] const std::string& about() const { return about_; }
 
  private:
   ErrorKind kind_;
+  Message message_;
   std::string about_;
 };
 

@@ -37,7 +37,7 @@ std::vector<OptionGroup> option_groups() {
        "(.pdf, .svg, .fold, .html, .png, .dxf, .lbrn2, .eps, .plt). May be given several times (the current "
        "folder)."},
       {.name = "no-guide", .kind = Kind::flag,
-       .help = "Write no NAME-guide.pdf beside NAME.pdf: pictures of where each piece goes, step by step."},
+       .help = "Write no NAME-guide.pdf next to NAME.pdf: pictures of where each piece goes, step by step."},
       {.name = "no-page", .kind = Kind::flag,
        .help = "Write no NAME.html: the model and its sheets side by side in any browser, folding and step "
        "by step."},
@@ -89,7 +89,7 @@ std::vector<OptionGroup> option_groups() {
        .studio = {"size", {"Faces", "Flächen"}, {},
            {"auto, keep, or a number", "auto, keep oder eine Zahl"}, false}},
       {.name = "strict", .kind = Kind::flag,
-       .help = "Write nothing, with exit code 9, where nobody could fold the model at this size.",
+       .help = "Write nothing, with exit code 9, where the model can't be folded by hand at this size.",
        .keyword = "strict"},
     }},
     {"Paper", {
@@ -174,7 +174,7 @@ std::vector<OptionGroup> option_groups() {
        .setting = "all_tabs", .keyword = "all_tabs",
        .studio = {"tabs", {"A tab at every seam, with more pieces", "Jede Naht mit Lasche, mehr Teile"}}},
       {.name = "no-tabs", .kind = Kind::flag,
-       .help = "Draw no glue tabs: the same as --tabs none."},
+       .help = "Draw no glue tabs: the same as --tabs none.", .same_as = "tabs=none"},
       {.name = "hide-folds", .kind = Kind::angle, .usual = "3", .high = 180.0,
        .help = "Draw no line where the surface is folded by less than this (3).",
        .setting = "hide_folds_deg", .noted = Noted::with_pages, .keyword = "hide_folds",
@@ -182,10 +182,10 @@ std::vector<OptionGroup> option_groups() {
       {.name = "numbers", .kind = Kind::choice, .usual = "inside",
        .choices = {{"inside", {"on the pieces", "auf den Teilen"}},
                    {"tabs", {"on the tabs", "auf den Laschen"}},
-                   {"outside", {"beside the pieces", "neben den Teilen"}},
+                   {"outside", {"next to the pieces", "neben den Teilen"}},
                    {"back", {"on the back of the sheet", "auf der Rückseite des Bogens"}}},
-       .help = "Where the numbers of edges stand: on the pieces and their tabs; on tabs, and beside the "
-       "piece at edges without one; beside the pieces; on the back of the paper, which the PDF gets pages "
+       .help = "Where the numbers of edges stand: on the pieces and their tabs; on tabs, and next to the "
+       "piece at edges without one; next to the pieces; on the back of the paper, which the PDF gets pages "
        "for (inside).",
        .keyword = "numbers",
        .studio = {"tabs", {"Numbers of the edges", "Nummern der Kanten"}, {}, {}, false}},
@@ -240,7 +240,7 @@ std::vector<OptionGroup> option_groups() {
        .studio = {"machine", {"Files for", "Dateien für"}}},
       {.name = "dxf", .kind = Kind::choice,
        .choices = {{"r2000"}, {"r12"}, {"plain"}},
-       .help = "Which DXF: r2000 tells the unit; r12 is for older machines; plain is single lines on one "
+       .help = "Which DXF: r2000 states the unit; r12 is for older machines; plain is single lines on one "
        "layer (r2000).",
        .studio = {"machine", {"Kind of DXF", "Art des DXF"}, {"usual", "übliche"}}},
       {.name = "kerf", .kind = Kind::length, .high = 2.0,
@@ -255,10 +255,10 @@ std::vector<OptionGroup> option_groups() {
        .choices = {{"solid", {"the whole line", "die ganze Linie"}},
                    {"dashes", {"dashes cut through", "Striche, durchgeschnitten"}},
                    {"perforate", {"a perforation", "eine Perforation"}},
-                   {"ends", {"lines beside the piece", "Linien neben dem Teil"}},
+                   {"ends", {"lines next to the piece", "Linien neben dem Teil"}},
                    {"none", {"nothing", "nichts"}}},
        .help = "What is done at folds: the whole line, dashes of 2 mm cut through, a perforation, lines of 4 "
-       "mm beside the piece at their ends, or nothing (the preset's).",
+       "mm next to the piece at their ends, or nothing (the preset's).",
        .studio = {"machine", {"At folds", "An Falzen"}, of_preset}},
       {.name = "bridges", .kind = Kind::whole, .takes = "N", .usual = "0", .high = 50.0,
        .help = "Leave each outline uncut at N places, so that pieces stay in the sheet (0).",
@@ -409,12 +409,7 @@ const std::vector<OptionRule>& option_rules() {
       {"depth", false, "height"},
       {"depth", false, "scale"},
       {"height", false, "scale"},
-      {"unit", true, "scale", "it says what the file's numbers mean"},
-      {"no-tabs", false, "tabs=auto"},
-      {"no-tabs", false, "tabs=one-side"},
-      {"no-tabs", false, "tabs=alternate"},
-      {"no-tabs", false, "tabs=both"},
-      {"no-tabs", false, "tabs=slots"},
+      {"unit", true, "scale", "why_unit"},
       {"all-tabs", false, "tabs=none"},
       {"tab-height", false, "tabs=none"},
       {"tab-angle", false, "tabs=none"},
@@ -422,15 +417,15 @@ const std::vector<OptionRule>& option_rules() {
       {"tab-shadow", false, "tabs=none"},
       {"tab-file", false, "tabs=none"},
       {"numbers=tabs", false, "tabs=none"},
-      {"tab-height", false, "tabs=slots", "tabs in slits have the shape that holds there"},
-      {"tab-angle", false, "tabs=slots", "tabs in slits have the shape that holds there"},
-      {"tabs=slots", false, "thickness", "tabs of board don't bend through a slit"},
-      {"duplex", true, "numbers=back", "it says how sheets are turned over"},
-      {"dpi", false, "ink=lines", "there are no printed pictures then"},
-      {"hinge", true, "thickness", "it is about thick sheets"},
-      {"spot", true, "preset=packaging", "it names inks of a packaging shop's PDF"},
-      {"bed", false, "paper", "both name the sheet"},
-      {"print-and-cut", false, "bed", "--paper names the printer's sheet"},
+      {"tab-height", false, "tabs=slots", "why_slots"},
+      {"tab-angle", false, "tabs=slots", "why_slots"},
+      {"tabs=slots", false, "thickness", "why_board_slots"},
+      {"duplex", true, "numbers=back", "why_duplex"},
+      {"dpi", false, "ink=lines", "why_dpi"},
+      {"hinge", true, "thickness", "why_hinge"},
+      {"spot", true, "preset=packaging", "why_spot"},
+      {"bed", false, "paper", "why_bed"},
+      {"print-and-cut", false, "bed", "why_print_and_cut"},
   };
   return rules;
 }

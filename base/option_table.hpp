@@ -65,19 +65,20 @@ struct Option {
   double high = std::numeric_limits<double>::infinity();
   std::vector<OptionChoice> choices = {};
   std::string_view help;
+  std::string_view same_as = {};  ///< of a flag: what it stands for, "tabs=none"
   std::string_view setting = {};  ///< key in ridgecraft:settings; empty: none
   Noted noted = Noted::if_changed;
-  /// Of ridgecraft.paper() in Python: "tab_height"; empty: none.
+  /// Of ridgecraft.run() in Python: "tab_height"; empty: none.
   std::string_view keyword = {};
   StudioControl studio = {};
 };
 
 /// Two options that exclude each other, or one that needs another.
 struct OptionRule {
-  std::string_view option;  ///< "all-tabs" where it is given, "numbers=back" where it has this value
-  bool needs;               ///< needs the other one, or else excludes it
-  std::string_view other;   ///< written in the same way
-  std::string_view why = {};
+  std::string_view option;    ///< "all-tabs" where it is given, "numbers=back" where it has this value
+  bool needs;                 ///< needs the other one, or else excludes it
+  std::string_view other;     ///< written in the same way
+  std::string_view why = {};  ///< code of a message; empty: it is plain
 };
 
 /// In the order of the help.

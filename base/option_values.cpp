@@ -42,7 +42,19 @@ std::optional<double> finite_length_mm(std::string_view text) {
   return std::isfinite(mm) ? std::optional(mm) : std::nullopt;
 }
 
+Message not_within(std::string_view code, const std::string& option, std::pair<double, double> range,
+                   const std::string& text) {
+  return Message(code, {{"option", option},
+                        {"low", fmt::format("{}", range.first)},
+                        {"high", fmt::format("{}", range.second)},
+                        {"text", text}});
+}
+
 }  // namespace
+
+void refuse(const Message& message) {
+  throw Error(ErrorKind::usage, message);
+}
 
 void refuse(const std::string& sentence) {
   throw Error(ErrorKind::usage, sentence);
@@ -80,24 +92,28 @@ double length_or_refuse(const std::string& option, const std::string& text, doub
     return *mm;
   }
   if (mm && *mm > high) {
-    refuse(fmt::format("{} takes {:g} to {:g}mm, not '{}'", option, low, high, text));
+    refuse(Message("option_length_range", {{"option", option},
+                                           {"low", fmt::format("{:g}", low)},
+                                           {"high", fmt::format("{:g}", high)},
+                                           {"text", text}}));
   }
   if (mm && low > 0.0) {
-    refuse(fmt::format("{} {} is too small: it takes {:g}mm and more", option, text, low));
+    refuse(Message("option_length_low",
+                   {{"option", option}, {"text", text}, {"low", fmt::format("{:g}", low)}}));
   }
   if (std::string with_point = text; std::count(text.begin(), text.end(), ',') == 1) {
     std::replace(with_point.begin(), with_point.end(), ',', '.');
     if (finite_length_mm(with_point)) {
-      refuse(option + " takes a decimal point: " + option + " " + with_point);
+      refuse(Message("option_decimal_point", {{"option", option}, {"value", with_point}}));
     }
   }
-  refuse(option + " takes a length such as 150mm, 15cm or 6in, not '" + text + "'");
+  refuse(Message("option_length", {{"option", option}, {"text", text}}));
 }
 
 double unit_or_refuse(const std::string& option, const std::string& text) {
   const auto mm = unit_mm(text.empty() ? "mm" : text);
   if (!mm) {
-    refuse(option + " takes mm, cm, m, in or ft, not '" + text + "'");
+    refuse(Message("option_unit", {{"option", option}, {"text", text}}));
   }
   return *mm;
 }
@@ -105,7 +121,7 @@ double unit_or_refuse(const std::string& option, const std::string& text) {
 double number_or_refuse(const std::string& option, const std::string& text, double low, double high) {
   const auto value = number_within(text, low, high);
   if (!value) {
-    refuse(fmt::format("{} takes a number from {} to {}, not '{}'", option, low, high, text));
+    refuse(not_within("option_number", option, {low, high}, text));
   }
   return *value;
 }
@@ -114,7 +130,7 @@ double percent_or_refuse(const std::string& option, const std::string& text, dou
   const auto value =
       number_within(std::string_view(text).substr(0, text.size() - (text.ends_with('%') ? 1 : 0)), low, high);
   if (!value) {
-    refuse(fmt::format("{} takes a percentage from {} to {}, not '{}'", option, low, high, text));
+    refuse(not_within("option_percentage", option, {low, high}, text));
   }
   return *value / 100.0;
 }
@@ -124,9 +140,9 @@ std::uint64_t whole_number_or_refuse(const std::string& option, const std::strin
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
-    const std::string range =
-        most == std::numeric_limits<std::uint64_t>::max() ? "on" : "to " + std::to_string(most);
-    refuse(fmt::format("{} takes a whole number from {} {}, not '{}'", option, least, range, text));
+    const bool has_most = most != std::numeric_limits<std::uint64_t>::max();
+    refuse(Message(has_most ? "option_whole" : "option_whole_from",
+                   {{"option", option}, {"low", least}, {"high", most}, {"text", text}}));
   }
   return value;
 }
@@ -135,7 +151,7 @@ std::size_t word_or_refuse(const std::string& option, const std::string& text,
                            const std::vector<std::string>& words) {
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
-    refuse(option + " takes " + listed(words, "or") + ", not '" + text + "'");
+    refuse(Message("option_word", {{"option", option}, {"words", plain_items(words)}, {"text", text}}));
   }
   return static_cast<std::size_t>(found - words.begin());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of options: from the text that was typed to a number that makes sense, or a refusal in one sentence.
+// Values of options: from the text that was typed to a number that makes sense, or a refusal.
 // Functions named ..._or_refuse throw Error(usage).
 #pragma once
 
@@ -11,9 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.hpp"
+
 namespace ridgecraft {
 
-/// Throws Error(usage).
+/// Throw Error(usage).
+[[noreturn]] void refuse(const Message& message);
 [[noreturn]] void refuse(const std::string& sentence);
 
 /// Millimetres of "150mm", "15cm", "0.15m", "6in", "6\"", "2ft"; a number alone is mm. Nothing when the text

@@ -95,7 +95,7 @@ STEPS = {
     "roomier_size": ("prepare/prepare.cpp", "    if (!cramped && !(search_", "    if (OUT || (!cramped && !(search_"),
     "other_sizes": ("prepare/prepare.cpp", "return size.adapts ? choice", "return size.adapts && !OUT ? choice"),
     "judged_again": ("job/job.cpp", "    if (as_read) {\n      clock", "    if (as_read && !OUT) {\n      clock"),
-    "details_of_union": ("job/one_skin.cpp", "  if (result.skin.united > 0) {\n    result.cleanup.left_out", "  if (!OUT && result.skin.united > 0) {\n    result.cleanup.left_out"),
+    "details_of_union": ("job/job.cpp", "  if (result.skin.united > 0) {\n    result.cleanup.left_out", "  if (!OUT && result.skin.united > 0) {\n    result.cleanup.left_out"),
 }
 FIGURES = ["pieces", "pages", "round", "fill", "slits", "mirror", "turns", "seam", "bare", "weak", "hours", "tiny",
            "loose", "apart", "evening", "faces", "moved", "normals", "hidden", "care", "together", "buildable", "cpu"]

@@ -17,17 +17,17 @@
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/parse.hpp"
 #include "cli/files/formats.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/files/pending_files.hpp"
 #include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
-#include "cli/jobs/paper_job.hpp"
+#include "cli/jobs/make_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
 #include "cli/jobs/stages.hpp"
 #include "cli/jobs/studio_job.hpp"
 #include "cli/report/messages.hpp"
 #include "cli/report/summary.hpp"
-#include "job/old_nets.hpp"
+#include "job/edge_requests.hpp"
 #include "mesh/reading/files.hpp"
 
 namespace ridgecraft::cli {
@@ -123,8 +123,8 @@ class Session {
   void report(const mesh::RepairReport& repairs, bool united = false) {
     progress_.clear();
     if (!options_.quiet && !options_.json) {
-      for (const std::string& line : repair_lines(repairs, united)) {
-        remark(line);
+      for (const Message& line : repair_lines(repairs, united)) {
+        remark(english(line));
       }
     }
   }
@@ -190,23 +190,24 @@ void warn_of(const AskedSize& asked, const job::Options& options, Session& sessi
   // A machine reaches the edges of its sheet, as its preset knows.
   if (options.paper && options.paper->furniture) {
     if (const auto warning = narrow_margin_warning(*options.paper)) {
-      session.warn(*warning);
+      session.warn(english(*warning));
     }
   }
   if (const auto warning = assumed_unit_warning(asked, options.size)) {
-    session.warn(*warning);
+    session.warn(english(*warning));
   }
 }
 
-ExitCode do_job(const PaperJob& job) {
+ExitCode do_job(const MakeJob& job) {
   Session session(job.common);
   warn_of(job.size_asked, job.options, session);
-  const PaperResult result = about(job.model, [&] {
-    return make_paper(job, session.context(), session.pending(), [&](const job::Remark& remark) {
+  const MakeResult result = about(job.model, [&] {
+    return make_files(job, session.context(), session.pending(), [&](const job::Remark& remark) {
       if (const auto refusal = too_many_pages(remark, job.most_pages)) {
-        throw Error(ErrorKind::usage, shown_name(job.model) + ": " + *refusal);
+        throw Error(ErrorKind::usage,
+                    Message("of_model", {{"model", shown_name(job.model)}, {"what", std::vector{*refusal}}}));
       }
-      session.warn(sentence(remark));
+      session.warn(english(message(remark)));
     });
   });
   session.warn(result.file_notes);
@@ -226,7 +227,7 @@ ExitCode do_job(const SegmentJob& job) {
 ExitCode do_job(const UnfoldJob& job) {
   Session session(job.common);
   warn_of(job.size_asked, job.options, session);
-  const PaperResult result =
+  const MakeResult result =
       about(job.model, [&] { return make_nets(job, session.context(), session.pending()); });
   session.warn(result.file_notes);
   session.report(result.made.prepared.model.repairs, result.made.skin.united > 0);
@@ -372,10 +373,10 @@ ExitCode do_job(const FormatsJob& job) {
 }
 
 /// Tells of a failure: a sentence for people, and one object for machines where they listen.
-ExitCode fail(ExitCode code, const std::string& sentence, bool json) {
-  complain(sentence);
+ExitCode fail(ExitCode code, const Message& message, bool json) {
+  complain(english(message));
   if (json) {
-    const std::string text = error_json(code, sentence);
+    const std::string text = error_json(code, message);
     // Standard output may be what failed: then its silence has to do.
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
@@ -394,13 +395,13 @@ ExitCode do_guarded(const std::vector<std::string>& arguments, bool json) {
   try {
     return std::visit([](const auto& job) { return do_job(job); }, parse_arguments(arguments));
   } catch (const Error& error) {
-    return fail(exit_code(error.kind()), error.what(), json);
+    return fail(exit_code(error.kind()), error.message(), json);
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::unusable_mesh, "the model needs more memory than there is", json);
+    return fail(ExitCode::unusable_mesh, Message("memory", {{"model", "the model"}}), json);
   } catch (const std::exception& error) {
-    return fail(ExitCode::internal, std::string("internal error: ") + error.what(), json);
+    return fail(ExitCode::internal, Message("internal", {{"text", error.what()}}), json);
   } catch (...) {
-    return fail(ExitCode::internal, "internal error", json);
+    return fail(ExitCode::internal, Message("internal", {{"text", "no reason is known"}}), json);
   }
 }
 

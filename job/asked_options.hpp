@@ -9,7 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.hpp"
 #include "base/option_table.hpp"
+#include "export/export.hpp"
+#include "job/options.hpp"
 
 namespace ridgecraft::job {
 
@@ -49,13 +52,17 @@ class AskedOptions {
   /// "--tab-height" or "tab_height"
   [[nodiscard]] std::string called(std::string_view name) const;
 
+  /// Options that are given are those that they stand for (Option::same_as). Throws Error(usage) where these
+  /// have another value already.
+  void replace_aliases();
+
   /// Throws Error(usage) for options that exclude each other, or lack another one (option_rules()).
   void check_rules() const;
 
  private:
   [[nodiscard]] const Typed& as_typed(std::string_view name) const;
   [[nodiscard]] bool holds(std::string_view condition) const;
-  [[nodiscard]] std::string told(std::string_view condition) const;
+  [[nodiscard]] MessageValue named(std::string_view gap, std::string_view condition) const;
 
   std::map<std::string, Typed, std::less<>> typed_;
   Naming naming_;
@@ -64,5 +71,14 @@ class AskedOptions {
 /// The number that a text means to an option of kind length (mm), angle (radians) or number. Throws
 /// Error(usage).
 [[nodiscard]] double number_of(const Option& row, const std::string& called, const std::string& text);
+
+// Where the values of options stand in job::Options: what is read into them, and noted of them in nets.
+
+/// `usual`, with what was asked; without pages where `usual` has no paper. Files that options name aren't
+/// read. Throws Error(usage).
+[[nodiscard]] Options options_of(AskedOptions asked, Options usual);
+
+/// Adds the settings of options whose value stands in one place; those of others are settings_of()'s.
+void note_fields(Options& options, export_::Settings& settings);
 
 }  // namespace ridgecraft::job

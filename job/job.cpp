@@ -3,55 +3,121 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
+#include "base/context.hpp"
 #include "base/encodings.hpp"
 #include "base/error.hpp"
+#include "base/vector.hpp"
 #include "base/version.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/view/camera.hpp"
-#include "job/edge_constraints.hpp"
-#include "job/extent.hpp"
-#include "job/model_of_nets.hpp"
-#include "job/one_skin.hpp"
-#include "job/page_labels.hpp"
+#include "job/edge_requests.hpp"
+#include "job/options.hpp"
 #include "job/page_layout.hpp"
-#include "job/parts.hpp"
+#include "job/remark.hpp"
 #include "job/settings.hpp"
 #include "job/unfold_options.hpp"
-#include "job/verdict.hpp"
+#include "mesh/model/model.hpp"
+#include "prepare/clean_bodies.hpp"
 #include "prepare/prepare.hpp"
+#include "prepare/prepared/options.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
+#include "prepare/skin/skin.hpp"
 #include "unfold/tabs_of_nets.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::job {
 namespace {
 
+// Sizes as people give them who know how the model stands: its height, width or depth.
+
+const char* code_without(ExtentKind kind) {
+  switch (kind) {
+    case ExtentKind::width:
+      return "no_width";
+    case ExtentKind::depth:
+      return "no_depth";
+    case ExtentKind::height:
+      break;
+  }
+  return "no_height";
+}
+
+/// The model's largest extent as a multiple of this one; the model stands on its foot with this axis upwards
+/// (export/view/camera.hpp). Throws Error(usage) where it has no such extent. O(faces).
+double largest_share(const mesh::Model& model, ExtentKind kind, mesh::Axis up) {
+  const export_::Stance stance = export_::stance_of(up);
+  const Vec3 direction = kind == ExtentKind::height  ? stance.up
+                         : kind == ExtentKind::depth ? stance.front
+                                                     : cross(stance.up, stance.front);
+  const Box3& box = model.surface.bounds();
+  const double extent = std::abs(dot(direction, box.size()));
+  if (!(extent > 0.0)) {
+    throw Error(ErrorKind::usage, Message(code_without(kind)));
+  }
+  return box.largest_extent() / extent;
+}
+
+// The bodies of a model as a maker can build them: some left out, some plain, united where they meet.
+
+struct OneSkin {
+  mesh::Model model;
+  prepare::CleanupReport cleanup;
+  prepare::SkinReport skin;
+
+  /// Whether anything was done to the model's bodies.
+  [[nodiscard]] bool changed() const;
+};
+
+/// Whether bodies meet along so many lines that their skin is finer than what it is made of: the inside of a
+/// machine. Nothing makes that coarse enough to be folded, and its bodies can be.
+bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
+  constexpr std::size_t most_faces = 8000;
+  constexpr std::size_t finer = 2;
+  return faces_of_skin > most_faces && faces_of_skin > finer * faces_of_bodies;
+}
+
+bool OneSkin::changed() const {
+  return skin.united > 0 || skin.unseen > 0 || cleanup.left_out.count() > 0 || cleanup.proxies.count > 0 ||
+         cleanup.thin_walls.walls > 0 || cleanup.simplified.faces_before > 0;
+}
+
+/// What is too small is judged at the size that is given. Throws Error(interrupted), Error(out_of_time).
+OneSkin one_skin(mesh::Model model, const prepare::SizeOptions& size,
+                 const prepare::SimplifyOptions& simplify, const Context& context) {
+  OneSkin result;
+  result.model = std::move(model);
+  result.cleanup = prepare::clean_bodies(result.model, size, simplify, context);
+  mesh::Model apart = result.model;
+  result.skin = prepare::unite_bodies(result.model, context);
+  if (result.skin.united > 0 && is_tangle(result.model.surface.face_count(), apart.surface.face_count())) {
+    const std::size_t tangled = result.skin.united + result.skin.left_crossing;
+    result.model = std::move(apart);
+    result.skin = {};
+    result.skin.left_crossing = tangled;
+  }
+  if (result.skin.united > 0) {
+    result.cleanup.left_out += prepare::leave_out_details(result.model, size, simplify, context);
+  }
+  return result;
+}
+
 prepare::PanelRoom panel_room(const Options& options) {
   const Vec2 area = room_for_pieces(options);
   return {{area.x, area.y}, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
 }
 
-void note_divided_panels(const prepare::Prepared& prepared, std::vector<std::string>& notes) {
+void note_divided_panels(const prepare::Prepared& prepared, std::vector<Message>& notes) {
   if (const std::size_t n = prepared.divided_panels; n > 0) {
-    notes.push_back(
-        fmt::format("{} flat region{} larger than the printable area, so cut", n, n == 1 ? " is" : "s are"));
+    notes.push_back(Message("large_regions_cut", {{"n", n}}));
   }
-}
-
-/// Whether there is anything to tell.
-template <class Value>
-bool tell(const Listener& listener, const std::optional<Value>& remark) {
-  if (listener && remark) {
-    listener(*remark);
-  }
-  return remark.has_value();
 }
 
 /// Nothing that fails its own check leaves the program.
@@ -59,22 +125,22 @@ verify::Figures checked_figures(const std::string& fold, const Context& context)
   const verify::Report report = verify::verify(fold, {.max_faults = 3}, context);
   if (!report.sound() || !report.figures) {
     throw Error(ErrorKind::internal,
-                "the nets fail their check and weren't written (" +
-                    (report.faults.empty() ? "no figures" : report.faults.front().message) + ")");
+                Message("failed_check",
+                        {{"fault", report.faults.empty() ? "no figures" : report.faults.front().message}}));
   }
   return *report.figures;
 }
 
 /// The nets that are cut out.
-const unfold::Nets& nets_on_pages(const Paper& made) {
+const unfold::Nets& nets_on_pages(const Result& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
 }
 
-export_::Assembly assembly_of(const Paper& made) {
+export_::Assembly assembly_of(const Result& made) {
   return export_::assembly_order(made.prepared.model.surface, made.nets, export_::stance_of(made.up).up);
 }
 
-void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
+void lay_out_pages(Result& made, StageClock& clock, const Context& context) {
   made.nets_of_board.reset();
   made.thickened = {};
   if (made.options.board.thickness_mm > 0.0) {
@@ -86,7 +152,7 @@ void lay_out_pages(Paper& made, StageClock& clock, const Context& context) {
                      [&] { return laid_out(made.prepared, made.options, nets_on_pages(made), context); });
 }
 
-void draw_pages(Paper& made, StageClock& clock, const Context& context) {
+void draw_pages(Result& made, StageClock& clock, const Context& context) {
   made.off_grain = export_::pieces_off_grain(
       export_::fold_directions(made.prepared.model.surface, nets_on_pages(made)), made.pages);
   // By hand pages may be filled as nobody would fill them to save one.
@@ -107,7 +173,7 @@ void draw_pages(Paper& made, StageClock& clock, const Context& context) {
 }
 
 /// The FOLD file, and its check.
-void finish(Paper& made, StageClock& clock, const Context& context) {
+void finish(Result& made, StageClock& clock, const Context& context) {
   const mesh::Model& model = made.prepared.model;
   // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
   // their own.
@@ -118,7 +184,7 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
   }
   made.fold = clock("write", context, [&] {
     made.mark = {program_and_version(), model.name, model.digest,
-                 with_searched(settings_of(made.options, made.seed), made.searched_with)};
+                 with_searched(settings_of(made.options, made.used, made.seed), made.searched_with)};
     if (!made.edits.empty()) {
       made.mark.settings["edits"] = json_string(made.edits);
     }
@@ -132,7 +198,7 @@ void finish(Paper& made, StageClock& clock, const Context& context) {
 }
 
 /// The clock of a job that goes on.
-StageClock clock_of(const Paper& made) {
+StageClock clock_of(const Result& made) {
   StageClock clock;
   clock.add(made.seconds);
   return clock;
@@ -145,83 +211,42 @@ struct Faces {
   prepare::SimplifyOptions simplify;
 };
 
-Faces faces_to_unfold(mesh::Model model, const Options& options, std::vector<std::string>& notes,
-                      const Context& context) {
-  const bool as_before = options.edges.from && !options.edges.cut && !options.edges.keep &&
-                         options.simplify.mode != prepare::Simplification::keep;
-  auto before = as_before ? model_of_nets(*options.edges.from, model, context) : std::nullopt;
-  if (!before || before->simplify.mode != options.simplify.mode ||
-      before->simplify.faces != options.simplify.faces) {
-    return {std::move(model), options.size, options.simplify};
+Faces faces_to_unfold(mesh::Model model, const EdgeRequests& edges, const UsedOptions& used,
+                      std::vector<Message>& notes, const Context& context) {
+  const bool as_before =
+      edges.from && !edges.cut && !edges.keep && used.simplify.mode != prepare::Simplification::keep;
+  auto before = as_before ? model_of_nets(*edges.from, model, context) : std::nullopt;
+  if (!before || before->simplify.mode != used.simplify.mode ||
+      before->simplify.faces != used.simplify.faces) {
+    return {std::move(model), used.size, used.simplify};
   }
-  notes.push_back("the model is simplified as it was for " + options.edges.from->name);
-  Faces faces{std::move(before->model), options.size, options.simplify};
+  notes.push_back(Message("simplified_as_before", {{"file", edges.from->name}}));
+  Faces faces{std::move(before->model), used.size, used.simplify};
   faces.simplify.mode = prepare::Simplification::keep;
   if (!faces.size.mm_per_unit) {
     // The size is that of the model, not of what simplification left of it.
     faces.size.mm_per_unit =
-        options.size.largest_extent_mm / (model.surface.bounds().largest_extent() * model.file_scale);
+        used.size.largest_extent_mm / (model.surface.bounds().largest_extent() * model.file_scale);
   }
   return faces;
 }
 
 /// What the model looks like as it was read, for pages in colour.
 std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
-                                        const Context& context, std::vector<std::string>& notes) {
-  return options.paper && options.style.ink != export_::Ink::lines ? mesh::look_of(model, context, notes)
-                                                                   : std::nullopt;
-}
-
-/// What was done to the bodies; where that is nothing, they are kept.
-void take_over(const OneSkin& skin, Paper& made) {
-  made.cleanup = skin.cleanup;
-  made.skin = skin.skin;
-  made.options.bodies = skin.changed() ? prepare::Bodies::unite : prepare::Bodies::keep;
-}
-
-/// Bodies that were parted are no longer those of the file, as if they had been united.
-void take_over_attached(Paper& made) {
-  const bool as_before = made.options.edges.from && made.options.simplify.part_attached;
-  made.options.simplify.part_attached = made.prepared.attached > 0 || as_before;
-  if (made.options.simplify.part_attached) {
-    made.options.bodies = prepare::Bodies::unite;
+                                        const Context& context, std::vector<Message>& notes) {
+  if (!options.paper || options.style.ink == export_::Ink::lines) {
+    return std::nullopt;
   }
+  std::vector<std::string> faults;
+  std::optional<mesh::LookParts> look = mesh::look_of(model, context, faults);
+  std::transform(faults.begin(), faults.end(), std::back_inserter(notes), plain_message);
+  return look;
 }
 
 /// Models of more faces aren't judged once more at another size: it would take too long, and too much memory.
 constexpr std::size_t most_judged_faces = 200000;
 /// Of the time that is left.
 constexpr double judging_share = 0.5;
-
-/// A model at the size that suits it: what is too small for paper was judged at the usual size before that
-/// was known, and is judged at this one once more. Kept where the model is as good for it; then whoever asks
-/// for this size gets the same. Not where the time is too short for it. `model`: as it was read.
-void judge_at_its_size(mesh::Model model, Paper& made, const Context& context) {
-  prepare::SizeOptions size = made.options.size;
-  size.adapts = false;
-  size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
-  const Context in_time = until_deadline(context, judging_share);
-  try {
-    OneSkin skin = one_skin(std::move(model), size, made.options.simplify, in_time);
-    prepare::Prepared prepared = prepare::prepare_as_asked(std::move(skin.model), size, made.options.simplify,
-                                                           panel_room(made.options), in_time);
-    const Vec2 area = room_for_pieces(made.options);
-    if (prepare::is_as_good(prepared, made.prepared) &&
-        prepare::expected_pages(prepared, area) <= size.most_pages) {
-      prepared.size_reason = made.prepared.size_reason;
-      made.prepared = std::move(prepared);
-      take_over(skin, made);
-      return;
-    }
-  } catch (const Error& error) {
-    if (error.kind() != ErrorKind::out_of_time) {
-      throw;
-    }
-  }
-  if (made.options.bodies == prepare::Bodies::unite) {
-    made.options.size.judged_at_mm = made.options.size.largest_extent_mm;
-  }
-}
 
 /// What was done to the bodies before they were united is a part of what was done to the model.
 void add_cleanup(const prepare::SimplifyReport& cleanup, double mm_per_unit,
@@ -235,14 +260,14 @@ void add_cleanup(const prepare::SimplifyReport& cleanup, double mm_per_unit,
   }
 }
 
-/// Lengths on paper that were told at another size.
+/// Lengths on paper that were measured at another size.
 void rescale(prepare::CleanupReport& cleanup, double factor) {
   cleanup.proxies.moved_mm *= factor;
   cleanup.thin_walls.thickness_mm *= factor;
 }
 
-/// Tabs anew, as the options ask for them.
-void give_new_tabs(Paper& made, StageClock& clock, const Context& context) {
+/// Other tabs, as the options ask for them.
+void give_new_tabs(Result& made, StageClock& clock, const Context& context) {
   clock("tabs", context, [&] {
     const unfold::Options options = unfold_options(made.options, made.prepared, {});
     unfold::replace_tabs(
@@ -258,8 +283,8 @@ std::string with_new_pages(const std::string& edits) {
 }
 
 /// All that follows from nets that have changed. `pages`: where they lie already.
-Paper with_new_nets(Paper made, StageClock clock, const Context& context,
-                    std::optional<export_::Pages> pages = std::nullopt) {
+Result with_new_nets(Result made, StageClock clock, const Context& context,
+                     std::optional<export_::Pages> pages = std::nullopt) {
   // What was painted is painted again only where it changes.
   export_::DrawReport drawn;
   drawn.pictures = std::move(made.drawn.pictures);
@@ -277,127 +302,250 @@ Paper with_new_nets(Paper made, StageClock clock, const Context& context,
   return made;
 }
 
+/// One run from a model to its result: each phase takes up what the one before has left.
+class Run {
+ public:
+  Run(const Options& options, const Context& context, const Listener& listener)
+      : options_(options), context_(context), listener_(listener), area_(room_for_pieces(options)) {
+    made_.options = options;
+    made_.used = {options.bodies, options.size, options.simplify};
+    made_.used.simplify.hidden_fold_angle = options.style.hidden_fold_angle;
+    made_.seed = context.seed;
+  }
+
+  Result run(mesh::Model model) {
+    const double units = model.file_scale;
+    mesh::Model united = unite(selected(std::move(model)));
+    prepare(std::move(united));
+    settle_size();
+    describe(units);
+    require_buildable();
+    remark_beforehand();
+    unfold();
+    if (options_.paper) {
+      fill_pages();
+    }
+    finish(made_, clock_, context_);
+    made_.seconds = clock_.seconds();
+    return std::move(made_);
+  }
+
+ private:
+  template <class Work>
+  void in_stage(std::string_view stage, const Work& work) {
+    clock_(stage, context_, [&] {
+      work();
+      return true;
+    });
+  }
+  template <class Remark>
+  void remark(const std::optional<Remark>& found) {
+    if (listener_ && found) {
+      listener_(*found);
+    }
+  }
+  /// Once: the estimates of later phases are better, but not news.
+  void remark_pages(const std::optional<ManyPages>& found) {
+    if (!pages_remarked_) {
+      remark(found);
+      pages_remarked_ = found.has_value();
+    }
+  }
+
+  /// What is taken of the model, and what named edges and nets made before ask of the stages.
+  mesh::Model selected(mesh::Model whole) {
+    mesh::Model model = prepare::select(std::move(whole), options_.selection);
+    UsedOptions& used = made_.used;
+    made_.ground = prepare::ground_name(model);
+    made_.up = options_.up.value_or(export_::up_axis_of(model));
+    if (options_.extent) {
+      used.size.adapts = false;
+      used.size.largest_extent_mm =
+          options_.extent->mm * largest_share(model, options_.extent->kind, made_.up);
+    }
+    apply_edge_requests(options_.edges, model, used.simplify, notes_);
+    use_size_of_nets(options_.edges, model, used.size);
+    used.bodies = bodies_for(options_.edges, options_.bodies);
+    used.simplify.skins = skins_for(options_.edges, options_.simplify.skins);
+    used.simplify.part_attached =
+        parts_standing_for(options_.edges, options_.bodies == prepare::Bodies::unite &&
+                                               used.simplify.mode != prepare::Simplification::keep);
+    look_ = clock_("prepare", context_, [&] { return look_for(options_, model, context_, notes_); });
+    return model;
+  }
+
+  /// Bodies become one where that is wanted.
+  mesh::Model unite(mesh::Model model) {
+    if (made_.used.bodies != prepare::Bodies::unite) {
+      return model;
+    }
+    if (made_.used.size.adapts && model.surface.face_count() <= most_judged_faces) {
+      as_read_ = model;  // its skin may be another one at another size
+    }
+    OneSkin skin = clock_("prepare", context_, [&] {
+      return one_skin(std::move(model), made_.used.size, made_.used.simplify, until_deadline(context_));
+    });
+    take_over(skin);
+    return std::move(skin.model);
+  }
+
+  /// What was done to the bodies; where that is nothing, they are kept.
+  void take_over(const OneSkin& skin) {
+    made_.cleanup = skin.cleanup;
+    made_.skin = skin.skin;
+    made_.used.bodies = skin.changed() ? prepare::Bodies::unite : prepare::Bodies::keep;
+  }
+
+  void prepare(mesh::Model model) {
+    if (options_.paper) {
+      remark_pages(many_pages(model, made_.used.size, area_));
+    }
+    made_.prepared = clock_("prepare", context_, [&] {
+      Faces faces = faces_to_unfold(std::move(model), options_.edges, made_.used, notes_, context_);
+      return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options_),
+                              until_deadline(context_));
+    });
+  }
+
+  /// The size that preparation has chosen is the one that is used.
+  void settle_size() {
+    if (made_.prepared.size_reason == prepare::SizeReason::none) {
+      return;
+    }
+    prepare::SizeOptions& size = made_.used.size;
+    const double judged_at_mm = size.largest_extent_mm;
+    if (as_read_) {
+      in_stage("prepare", [&] { judge_at_its_size(); });
+    } else if (made_.used.bodies == prepare::Bodies::unite) {
+      size.judged_at_mm = judged_at_mm;
+    }
+    size.largest_extent_mm = std::round(made_.prepared.model.surface.bounds().largest_extent());
+    if (size.judged_at_mm) {
+      rescale(made_.cleanup, size.largest_extent_mm / judged_at_mm);
+    }
+  }
+
+  /// A model at the size that suits it: what is too small for paper was judged at the usual size before that
+  /// was known, and is judged at this one once more. Kept where the model is as good for it; then the same
+  /// size, when it is requested, gives the same. Not where the time is too short for it.
+  void judge_at_its_size() {
+    prepare::SizeOptions size = made_.used.size;
+    size.adapts = false;
+    size.largest_extent_mm = std::round(made_.prepared.model.surface.bounds().largest_extent());
+    const Context in_time = until_deadline(context_, judging_share);
+    try {
+      OneSkin skin = one_skin(std::move(*as_read_), size, made_.used.simplify, in_time);
+      prepare::Prepared prepared = prepare::prepare_as_asked(std::move(skin.model), size, made_.used.simplify,
+                                                             panel_room(options_), in_time);
+      if (prepare::is_as_good(prepared, made_.prepared) &&
+          prepare::expected_pages(prepared, area_) <= size.most_pages) {
+        prepared.size_reason = made_.prepared.size_reason;
+        made_.prepared = std::move(prepared);
+        take_over(skin);
+        return;
+      }
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::out_of_time) {
+        throw;
+      }
+    }
+    if (made_.used.bodies == prepare::Bodies::unite) {
+      made_.used.size.judged_at_mm = made_.used.size.largest_extent_mm;
+    }
+  }
+
+  /// What is known of the prepared model. `units`: of the file.
+  void describe(double units) {
+    prepare::Prepared& prepared = made_.prepared;
+    if (look_) {
+      prepared.look = std::make_shared<const mesh::Look>(std::move(*look_), prepared.from_model.factor,
+                                                         prepared.from_model.shift);
+    }
+    // Bodies that were parted are no longer those of the file, as if they had been united.
+    UsedOptions& used = made_.used;
+    const bool parted_before = options_.edges.from && used.simplify.part_attached;
+    used.simplify.part_attached = prepared.attached > 0 || parted_before;
+    used.bodies = used.simplify.part_attached ? prepare::Bodies::unite : used.bodies;
+    add_cleanup(made_.cleanup.simplified, prepared.mm_per_unit * units, prepared.simplified);
+    made_.searched_with = settings_of(options_, used, made_.seed);
+    made_.slivers = prepare::count_slivers(prepared.model.surface, prepared.panels);
+  }
+
+  void require_buildable() const {
+    const auto why =
+        verdict(made_.prepared, made_.used.simplify, larger_size_is_sure(made_.cleanup, made_.skin));
+    if (options_.strict && why) {
+      throw Error(ErrorKind::unbuildable, *why);
+    }
+  }
+
+  void remark_beforehand() {
+    if (options_.paper) {
+      const mesh::Surface& surface = made_.prepared.model.surface;
+      remark(many_bodies(surface));
+      remark(short_folds(made_.prepared, options_.style.hidden_fold_angle));
+      remark_pages(many_pages(surface, area_, prepare::expected_pages(made_.prepared, area_), false));
+    }
+  }
+
+  /// Parts, nets, their tabs, and the order in which they are put together.
+  void unfold() {
+    const mesh::Surface& surface = made_.prepared.model.surface;
+    made_.constraints = clock_("prepare", context_, [&] {
+      return constraints_of(options_.edges, made_.prepared, context_, notes_);
+    });
+    if (options_.paper) {
+      note_divided_panels(made_.prepared, notes_);
+      part_by_labels(page_labels(made_.prepared.model, options_.page_by), made_.prepared, made_.constraints);
+    }
+    Parts parts = clock_("segment", context_, [&] { return find_parts(made_.prepared, options_, context_); });
+    made_.part = std::move(parts.of_face);
+    made_.parts_given_up = parts.given_up;
+    made_.part_count = count_parts(made_.part);
+    made_.nets = clock_("unfold", context_, [&] {
+      return unfold::unfold(surface, made_.prepared.panels, made_.part,
+                            unfold_options(options_, made_.prepared, made_.constraints), context_);
+    });
+    if (options_.tabs.wanted && options_.tab_choice.any()) {
+      give_new_tabs(made_, clock_, context_);
+    }
+    made_.nets.notes.insert(made_.nets.notes.begin(), notes_.begin(), notes_.end());
+    made_.early_notes = std::move(notes_);
+    made_.assembly = clock_("unfold", context_, [&] { return assembly_of(made_); });
+  }
+
+  void fill_pages() {
+    lay_out_pages(made_, clock_, context_);
+    remark_pages(
+        many_pages(made_.prepared.model.surface, area_, static_cast<double>(made_.pages.count), true));
+    draw_pages(made_, clock_, context_);
+  }
+
+  const Options& options_;
+  const Context& context_;
+  const Listener& listener_;
+  Vec2 area_;  ///< of a page that pieces may fill, mm
+  Result made_;
+  StageClock clock_;
+  std::vector<Message> notes_;
+  std::optional<mesh::LookParts> look_;
+  std::optional<mesh::Model> as_read_;  ///< where it may have to be judged at another size
+  bool pages_remarked_ = false;
+};
+
 }  // namespace
 
-Paper paper(mesh::Model model, const Options& options, const Context& context, const Listener& listener) {
-  Paper made;
-  made.options = options;
-  made.options.simplify.hidden_fold_angle = options.style.hidden_fold_angle;
-  made.seed = context.seed;
-  StageClock clock;
-  std::vector<std::string> notes;
-  model = prepare::select(std::move(model), options.selection);
-  made.ground = prepare::ground_name(model);
-  made.up = options.up.value_or(export_::up_axis_of(model));
-  if (options.extent) {
-    made.options.size.adapts = false;
-    made.options.size.largest_extent_mm =
-        options.extent->mm * largest_share(model, options.extent->kind, made.up);
-  }
-  apply_edge_requests(options.edges, model, made.options.simplify, notes);
-  use_size_of_nets(options.edges, model, made.options.size);
-  made.options.bodies = bodies_for(options.edges, options.bodies);
-  made.options.simplify.skins = skins_for(options.edges, options.simplify.skins);
-  made.options.simplify.part_attached =
-      parts_standing_for(options.edges, options.bodies == prepare::Bodies::unite &&
-                                            made.options.simplify.mode != prepare::Simplification::keep);
-  const double units = model.file_scale;
-  std::optional<mesh::LookParts> look =
-      clock("prepare", context, [&] { return look_for(options, model, context, notes); });
-  std::optional<mesh::Model> as_read;
-  if (made.options.bodies == prepare::Bodies::unite) {
-    if (made.options.size.adapts && model.surface.face_count() <= most_judged_faces) {
-      as_read = model;  // its skin may be another one at another size
-    }
-    OneSkin skin = clock("prepare", context, [&] {
-      return one_skin(std::move(model), made.options.size, made.options.simplify, until_deadline(context));
-    });
-    model = std::move(skin.model);
-    take_over(skin, made);
-  }
-  const Vec2 area = room_for_pieces(options);
-  bool told_of_pages = options.paper && tell(listener, many_pages(model, made.options.size, area));
-  made.prepared = clock("prepare", context, [&] {
-    Faces faces = faces_to_unfold(std::move(model), made.options, notes, context);
-    return prepare::prepare(std::move(faces.model), faces.size, faces.simplify, panel_room(options),
-                            until_deadline(context));
-  });
-  if (made.prepared.size_reason != prepare::SizeReason::none) {
-    const double judged_at_mm = made.options.size.largest_extent_mm;
-    if (as_read) {
-      clock("prepare", context, [&] {
-        judge_at_its_size(std::move(*as_read), made, context);
-        return true;
-      });
-    } else if (made.options.bodies == prepare::Bodies::unite) {
-      made.options.size.judged_at_mm = judged_at_mm;
-    }
-    made.options.size.largest_extent_mm = std::round(made.prepared.model.surface.bounds().largest_extent());
-    if (made.options.size.judged_at_mm) {
-      rescale(made.cleanup, made.options.size.largest_extent_mm / judged_at_mm);
-    }
-  }
-  if (look) {
-    made.prepared.look = std::make_shared<const mesh::Look>(std::move(*look), made.prepared.from_model.factor,
-                                                            made.prepared.from_model.shift);
-  }
-  const mesh::Surface& surface = made.prepared.model.surface;
-  take_over_attached(made);
-  add_cleanup(made.cleanup.simplified, made.prepared.mm_per_unit * units, made.prepared.simplified);
-  made.searched_with = settings_of(made.options, made.seed);
-  if (const std::string why =
-          verdict(made.prepared, made.options.simplify, larger_size_is_sure(made.cleanup, made.skin));
-      options.strict && !why.empty()) {
-    throw Error(ErrorKind::unbuildable, why);
-  }
-  made.slivers = prepare::count_slivers(surface, made.prepared.panels);
-  if (options.paper) {
-    tell(listener, many_bodies(surface));
-    tell(listener, short_folds(made.prepared, options.style.hidden_fold_angle));
-    told_of_pages =
-        told_of_pages ||
-        tell(listener, many_pages(surface, area, prepare::expected_pages(made.prepared, area), false));
-  }
-  unfold::EdgeConstraints constraints =
-      clock("prepare", context, [&] { return constraints_of(options.edges, made.prepared, context, notes); });
-  if (options.paper) {
-    note_divided_panels(made.prepared, notes);
-    part_by_labels(page_labels(made.prepared.model, options.page_by), made.prepared, constraints);
-  }
-  Parts parts = clock("segment", context, [&] { return find_parts(made.prepared, options, context); });
-  made.part = std::move(parts.of_face);
-  made.parts_given_up = parts.given_up;
-  made.part_count = count_parts(made.part);
-  made.constraints = std::move(constraints);
-  made.nets = clock("unfold", context, [&] {
-    return unfold::unfold(surface, made.prepared.panels, made.part,
-                          unfold_options(options, made.prepared, made.constraints), context);
-  });
-  if (options.tabs.wanted && options.tab_choice.any()) {
-    give_new_tabs(made, clock, context);
-  }
-  made.nets.notes.insert(made.nets.notes.begin(), notes.begin(), notes.end());
-  made.early_notes = std::move(notes);
-  made.assembly = clock("unfold", context, [&] { return assembly_of(made); });
-  if (options.paper) {
-    lay_out_pages(made, clock, context);
-    if (!told_of_pages) {
-      tell(listener, many_pages(surface, area, static_cast<double>(made.pages.count), true));
-    }
-    draw_pages(made, clock, context);
-  }
-  finish(made, clock, context);
-  made.seconds = clock.seconds();
-  return made;
+Result run(mesh::Model model, const Options& options, const Context& context, const Listener& listener) {
+  return Run(options, context, listener).run(std::move(model));
 }
 
-export_::Guide guide_of(const Paper& made, const Context& context) {
+export_::Guide guide_of(const Result& made, const Context& context) {
   return export_::draw_guide({made.prepared, nets_on_pages(made), made.pages, made.assembly,
                               made.drawings.size(), made.drawn.bodies, export_::stance_of(made.up)},
                              made.options.style, context);
 }
 
-Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& context) {
+Result with_tabs(Result made, const unfold::TabOptions& tabs, const Context& context) {
   const bool were_split = made.options.tabs.split_pieces;
   made.options.tabs = tabs;
   made.options.tabs.split_pieces = were_split;
@@ -407,7 +555,7 @@ Paper with_tabs(Paper made, const unfold::TabOptions& tabs, const Context& conte
   return with_new_nets(std::move(made), std::move(clock), context);
 }
 
-unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoice& choice,
+unfold::Nets tabbed(const Result& made, unfold::Nets nets, const unfold::TabChoice& choice,
                     const Context& context) {
   const unfold::Options options = unfold_options(made.options, made.prepared, {});
   unfold::replace_tabs({made.prepared.model.surface, made.prepared.panels, options, choice}, nets, context);
@@ -415,8 +563,8 @@ unfold::Nets tabbed(const Paper& made, unfold::Nets nets, const unfold::TabChoic
   return nets;
 }
 
-Paper with_nets(Paper made, unfold::Nets nets, std::optional<export_::Pages> pages, std::string edits,
-                const Context& context) {
+Result with_nets(Result made, unfold::Nets nets, std::optional<export_::Pages> pages, std::string edits,
+                 const Context& context) {
   made.nets = std::move(nets);
   made.edits = std::move(edits);
   StageClock clock = clock_of(made);
@@ -424,8 +572,8 @@ Paper with_nets(Paper made, unfold::Nets nets, std::optional<export_::Pages> pag
   return with_new_nets(std::move(made), std::move(clock), context, std::move(pages));
 }
 
-Paper with_pages(Paper made, const export_::Paper& paper, const export_::Style& style,
-                 const Context& context) {
+Result with_pages(Result made, const export_::Paper& paper, const export_::Style& style,
+                  const Context& context) {
   made.options.paper = paper;
   made.options.style = style;
   made.edits = with_new_pages(made.edits);

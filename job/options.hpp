@@ -91,4 +91,13 @@ struct Options {
   bool strict = false;   ///< what nobody could build at this size isn't made
 };
 
+/// What a job used where it decides more than its options say: where edges are named that are those of the
+/// file, `simplify` keeps all faces; where no bodies were united, `bodies` keeps them; `size` is the size
+/// that was chosen.
+struct UsedOptions {
+  prepare::Bodies bodies = prepare::Bodies::unite;
+  prepare::SizeOptions size;
+  prepare::SimplifyOptions simplify;
+};
+
 }  // namespace ridgecraft::job

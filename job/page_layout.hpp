@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nets onto the pages of a job: in which order they come, and what stands above them.
+// Pages of one material or of one object each, for paper in several colours.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "base/context.hpp"
 #include "base/id.hpp"
@@ -12,8 +15,35 @@
 #include "job/options.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
+#include "unfold/net/options.hpp"
 
 namespace ridgecraft::job {
+
+/// Of each face what decides on its pages; faces without a material or name have a label, too.
+struct PageLabels {
+  IdVector<FaceId, std::uint32_t> of_face;
+  std::vector<std::string> name;  ///< of each label; fit for people
+
+  [[nodiscard]] bool any() const { return name.size() > 1; }
+};
+
+/// No labels where pages may hold anything, or all faces have one label. O(n).
+[[nodiscard]] PageLabels page_labels(const mesh::Model& model, PageBy by);
+
+/// Flat regions end where labels do, and every edge there is to be cut, so that each piece has one label.
+/// Equal bodies count as different ones: they may differ by their labels. O(n log n).
+void part_by_labels(const PageLabels& labels, prepare::Prepared& prepared,
+                    unfold::EdgeConstraints& constraints);
+
+/// Of each piece.
+[[nodiscard]] IdVector<PieceId, std::uint32_t> labels_of_pieces(const PageLabels& labels,
+                                                                const unfold::Nets& nets);
+
+/// What the pieces of each page have in common.
+[[nodiscard]] std::vector<std::string> names_of_pages(const PageLabels& labels, const unfold::Nets& nets,
+                                                      const export_::Pages& pages);
+
+// Nets onto the pages of a job: in which order they come, and what stands above them.
 
 /// The nets on pages, each of one label where that is wanted. The options have paper. Throws as
 /// export_::layout().

@@ -3,8 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "prepare/prepare.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
@@ -88,6 +93,37 @@ std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double 
   }
   return ShortFolds{*middle, easy_fold_mm,
                     prepared.model.surface.bounds().largest_extent() * easy_fold_mm / *middle};
+}
+
+bool larger_size_is_sure(const prepare::CleanupReport& cleanup, const prepare::SkinReport& skin) {
+  return cleanup.left_out.count() == 0 && cleanup.proxies.count == 0 && cleanup.thin_walls.walls == 0 &&
+         skin.gaps_closed == 0;
+}
+
+std::optional<Message> verdict(const prepare::Prepared& prepared, const prepare::SimplifyOptions& simplify,
+                               bool larger_is_sure) {
+  if (prepare::can_be_folded(prepared)) {
+    return std::nullopt;
+  }
+  std::vector<Message> reasons;
+  const auto add_reason = [&](const char* code, double share, double mm) {
+    reasons.push_back(
+        Message(code, {{"percent", fmt::format("{:.0f}", 100.0 * share)}, {"mm", fmt::format("{:g}", mm)}}));
+  };
+  if (prepared.simplified.still_too_fine) {
+    add_reason("short_folds_share", prepared.simplified.tiny_edges_after, simplify.tiny_edge_mm);
+  }
+  if (prepare::has_many_slivers(prepared)) {
+    add_reason("narrow_faces_share", prepared.sliver_fraction, prepare::sliver_mm);
+  }
+  const Message size = prepared.smallest_size_mm
+                           ? Message(larger_is_sure ? "size_helps" : "size_may_help",
+                                     {{"mm", fmt::format("{:.0f}", *prepared.smallest_size_mm)}})
+                           : Message("no_size_helps");
+  const double extent = prepared.model.surface.bounds().largest_extent();
+  return Message(
+      "unbuildable",
+      {{"mm", fmt::format("{:.4g}", extent)}, {"reasons", std::move(reasons)}, {"size", std::vector{size}}});
 }
 
 }  // namespace ridgecraft::job

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a user may want to know before the long work, as figures; whoever runs the job words them.
+// What a user may want to know before the long work, as figures; and whether a person could build the result.
 #pragma once
 
 #include <cstddef>
@@ -7,6 +7,7 @@
 #include <optional>
 #include <variant>
 
+#include "base/message.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/model.hpp"
 #include "mesh/model/surface.hpp"
@@ -14,6 +15,8 @@
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::job {
+
+// What a user may want to know before the long work, as figures; whoever runs the job words them.
 
 /// This model takes very many pages.
 struct ManyPages {
@@ -55,5 +58,17 @@ using Listener = std::function<void(const Remark&)>;
 /// Where half of the folds of at least `hidden_fold_angle` (radians) are too short. O(edges).
 [[nodiscard]] std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared,
                                                     double hidden_fold_angle);
+
+// Whether a person could build what comes out, and why not.
+
+/// Whether what is told of a larger size was tried with the same bodies that a job has there: where bodies
+/// were left out, thinned or moved for this size, others are at another one.
+[[nodiscard]] bool larger_size_is_sure(const prepare::CleanupReport& cleanup,
+                                       const prepare::SkinReport& skin);
+
+/// "can't be built at 150 mm: 38 % of the folds are shorter than 3 mm; at 380 mm it can", or "it may" where
+/// that isn't sure; none for a model that can be folded.
+[[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared,
+                                             const prepare::SimplifyOptions& simplify, bool larger_is_sure);
 
 }  // namespace ridgecraft::job

@@ -8,7 +8,7 @@
 
 #include "base/encodings.hpp"
 #include "base/option_table.hpp"
-#include "job/option_fields.hpp"
+#include "job/asked_options.hpp"
 #include "mesh/model/model.hpp"
 
 namespace ridgecraft::job {
@@ -106,7 +106,10 @@ void add_pages(Options& options, export_::Settings& settings) {
 
 }  // namespace
 
-export_::Settings settings_of(Options options, std::uint64_t seed) {
+export_::Settings settings_of(Options options, const UsedOptions& used, std::uint64_t seed) {
+  options.bodies = used.bodies;
+  options.size = used.size;
+  options.simplify = used.simplify;
   export_::Settings settings;
   note_fields(options, settings);
   add_size(options, settings);

@@ -11,7 +11,7 @@ namespace ridgecraft::job {
 
 /// The options that shaped the result, for ridgecraft:settings (docs/reference/formats.md); with the seed
 /// they give the same nets again.
-[[nodiscard]] export_::Settings settings_of(Options options, std::uint64_t seed);
+[[nodiscard]] export_::Settings settings_of(Options options, const UsedOptions& used, std::uint64_t seed);
 
 /// The settings of paper whose tabs or pages may have been changed since its nets were searched: what was
 /// another then follows with "searched_" before its name.

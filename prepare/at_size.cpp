@@ -39,10 +39,10 @@ Resized resize(mesh::Model& model, const SizeOptions& size) {
       size.mm_per_unit ? *size.mm_per_unit * model.file_scale : size.largest_extent_mm / largest;
   const double result = factor * largest;
   if (!std::isfinite(result) || result > largest_size_mm) {
-    throw Error(ErrorKind::no_nets, "the model would be larger than 100 m; choose a smaller size or scale");
+    throw Error(ErrorKind::no_nets, Message("larger_than_100_m"));
   }
   if (!(result >= smallest_size_mm)) {
-    throw Error(ErrorKind::no_nets, "the model would be smaller than 0.1 mm; choose a larger size or scale");
+    throw Error(ErrorKind::no_nets, Message("smaller_than_100_um"));
   }
   const Vec3 centre = 0.5 * box.low + 0.5 * box.high;
   std::vector<Vec3> points(model.surface.points().begin(), model.surface.points().end());
@@ -312,7 +312,7 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   }
   const mesh::Surface& surface = prepared.model.surface;
   if (count_narrow_faces(surface, prepared.panels, nothing_mm) == surface.face_count()) {
-    throw Error(ErrorKind::no_nets, "every face is too narrow to be cut from paper at this size");
+    throw Error(ErrorKind::no_nets, Message("all_too_narrow"));
   }
   prepared.sliver_fraction = static_cast<double>(count_narrow_faces(surface, prepared.panels, sliver_mm)) /
                              static_cast<double>(surface.face_count());

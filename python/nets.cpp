@@ -17,8 +17,8 @@
 #include "base/error.hpp"
 #include "base/option_table.hpp"
 #include "export/export.hpp"
+#include "job/asked_options.hpp"
 #include "job/job.hpp"
-#include "job/option_fields.hpp"
 #include "python/background.hpp"
 #include "python/polygons.hpp"
 
@@ -29,7 +29,7 @@ namespace py = pybind11;
 
 /// Finished nets, with or without pages; every property is a copy.
 struct Nets {
-  std::shared_ptr<const job::Paper> made;
+  std::shared_ptr<const job::Result> made;
 
   [[nodiscard]] const mesh::Surface& surface() const { return made->prepared.model.surface; }
   [[nodiscard]] const unfold::Nets& nets() const { return made->nets; }
@@ -235,7 +235,7 @@ py::object make(const py::object& vertices, const py::object& faces, const py::d
       [mesh, options, title = making.title](const Context& context) {
         mesh::Model model = model_of(*mesh, {}, context);
         model.name = title;
-        return std::make_shared<const job::Paper>(job::paper(std::move(model), options, context));
+        return std::make_shared<const job::Result>(job::run(std::move(model), options, context));
       },
       settings);
   if (making.pages) {
@@ -244,7 +244,7 @@ py::object make(const py::object& vertices, const py::object& faces, const py::d
   return py::cast(Nets{std::move(made)});
 }
 
-/// python/ridgecraft/_paper.py has the signature that users see.
+/// python/ridgecraft/_run.py has the signature that users see.
 template <bool pages>
 void add_making(py::module_& module, const char* name) {
   using namespace py::literals;
@@ -303,7 +303,15 @@ void add_nets(py::module_& module) {
           "(face, polygon) for each tab: the triangle that it grows from, and its corners in the "
           "plane of that one's piece: k x 2.")
       .def_property_readonly(
-          "notes", [](const Nets& n) { return n.nets().notes; }, "Sentences on how the nets were found.")
+          "notes",
+          [](const Nets& n) {
+            std::vector<std::string> sentences;
+            for (const Message& note : n.nets().notes) {
+              sentences.push_back(english(note));
+            }
+            return sentences;
+          },
+          "Sentences on how the nets were found.")
       .def_property_readonly("figures", &figures, "Counts and lengths, as the check found them.")
       .def_property_readonly(
           "fold", [](const Nets& n) { return n.made->fold; }, "The text of a FOLD file.");
@@ -341,7 +349,7 @@ void add_nets(py::module_& module) {
           },
           "page"_a, "One page, counted from 0, as a DXF for machines.");
   add_making<false>(module, "unfold");
-  add_making<true>(module, "paper");
+  add_making<true>(module, "run");
 }
 
 }  // namespace ridgecraft::python

@@ -80,7 +80,7 @@ export_::Placement placement_of(const Nets& nets, const Place& place) {
 
 }  // namespace
 
-Places::Places(const job::Paper& made, const State& before, const State& after)
+Places::Places(const job::Result& made, const State& before, const State& after)
     : made_(made), after_(after), kept_(after.nets->pieces.size()) {
   const unfold::TabsOfPiece old_tabs = unfold::tabs_of_pieces(*before.nets);
   const unfold::TabsOfPiece tabs = unfold::tabs_of_pieces(*after.nets);
@@ -143,24 +143,21 @@ Refusal Places::refusal_of(const export_::NoPlace& none) const {
   }
   const auto laid = laid_.find(none.piece);
   if (laid == laid_.end()) {
-    return {0,
-            fmt::format("piece {} is pinned, and with the tabs that it would get it has no room there", name),
-            std::move(faces)};
+    return {0, Message("no_room_when_pinned", {{"a", name}}), std::move(faces)};
   }
   switch (none.why) {
     case export_::NoPlace::Why::beyond_sheet:
-      return {laid->second, fmt::format("piece {} would leave the part of the page that is for pieces", name),
-              std::move(faces)};
+      return {laid->second, Message("beyond_sheet", {{"a", name}}), std::move(faces)};
     case export_::NoPlace::Why::other_sort:
-      return {laid->second,
-              fmt::format("pieces {} and {} belong on different pages", name, pieces[none.other].name),
+      return {laid->second, Message("different_pages", {{"a", name}, {"b", pieces[none.other].name}}),
               std::move(faces)};
     case export_::NoPlace::Why::too_near:
       break;
   }
   return {laid->second,
-          fmt::format("there piece {} would lie on piece {}, or nearer to it than {:g} mm", name,
-                      pieces[none.other].name, made_.options.paper->gap),
+          Message("too_near", {{"a", name},
+                               {"b", pieces[none.other].name},
+                               {"n", fmt::format("{:g}", made_.options.paper->gap)}}),
           std::move(faces)};
 }
 
@@ -188,12 +185,12 @@ Context without_deadline(Context context) {
   return context;
 }
 
-Refusal refusal(std::string why, std::vector<FaceId> faces) {
+Refusal refusal(Message why, std::vector<FaceId> faces) {
   return {0, std::move(why), std::move(faces)};
 }
 
 Refusal no_such_edge() {
-  return refusal("the model has no such edge", {});
+  return refusal(Message("no_such_edge"), {});
 }
 
 /// Whether paper of another colour begins at an edge.
@@ -204,7 +201,7 @@ bool parts_colours(const mesh::Surface& surface, const job::PageLabels& labels, 
 
 }  // namespace
 
-Draft::Draft(const job::Paper& made, const State& before, const Context& context)
+Draft::Draft(const job::Result& made, const State& before, const Context& context)
     : made_(made),
       surface_(made.prepared.model.surface),
       before_(before),
@@ -228,12 +225,12 @@ bool Draft::is_pinned(PieceId piece) const {
 }
 
 Refusal Draft::pinned_refusal(PieceId piece) const {
-  return refusal("piece " + nets().pieces[piece].name + " is pinned", nets().pieces[piece].faces);
+  return refusal(Message("pinned", {{"a", nets().pieces[piece].name}}), nets().pieces[piece].faces);
 }
 
 Draft::Change Draft::check_face(FaceId face) const {
   if (face.value() >= surface_.face_count()) {
-    return refusal("the model has no such face", {});
+    return refusal(Message("no_such_face"), {});
   }
   return std::nullopt;
 }
@@ -283,7 +280,7 @@ Draft::Change Draft::change(const Join& join) {
     return no_such_edge();
   }
   if (parts_colours(surface_, labels_, *edge)) {
-    return refusal("the faces beside this edge belong on different pages", faces_at(*edge));
+    return refusal(Message("pages_differ"), faces_at(*edge));
   }
   if (nets().use[*edge] == unfold::EdgeUse::cut) {
     if (Change pinned = pinned_beside(*edge)) {
@@ -299,10 +296,10 @@ Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
     return no_such_edge();
   }
   if (!made_.options.tabs.wanted) {
-    return refusal("these nets are made without tabs", faces_at(*edge));
+    return refusal(Message("made_without_tabs"), faces_at(*edge));
   }
   if (nets().use[*edge] != unfold::EdgeUse::cut) {
-    return refusal("only an edge that is glued has a tab", faces_at(*edge));
+    return refusal(Message("only_glued_edges"), faces_at(*edge));
   }
   unfold::TabAt tab;
   tab.edge = *edge;
@@ -327,12 +324,10 @@ Draft::Change Draft::change(const Place& place) {
   }
   const PieceId piece = nets().piece[place.face];
   if (!before_.pages) {
-    return refusal(made_.options.paper ? "pages of board are filled by the program alone"
-                                       : "nets without pages have no places",
-                   nets().pieces[piece].faces);
+    return refusal(Message(made_.options.paper ? "pages_of_board" : "no_pages"), nets().pieces[piece].faces);
   }
   if (place.page > before_.pages->count) {
-    return refusal("there is no such page", nets().pieces[piece].faces);
+    return refusal(Message("no_such_page"), nets().pieces[piece].faces);
   }
   if (is_pinned(piece)) {
     return pinned_refusal(piece);
@@ -346,7 +341,7 @@ Draft::Change Draft::change(const Pin& pin) {
     return none;
   }
   if (is_pinned(nets().piece[pin.face])) {
-    return refusal("piece " + nets().pieces[nets().piece[pin.face]].name + " is pinned already",
+    return refusal(Message("pinned_already", {{"a", nets().pieces[nets().piece[pin.face]].name}}),
                    nets().pieces[nets().piece[pin.face]].faces);
   }
   pinned_.insert(pin.face);
@@ -359,7 +354,7 @@ Draft::Change Draft::change(const Unpin& unpin) {
   }
   const PieceId piece = nets().piece[unpin.face];
   if (std::erase_if(pinned_, [&](FaceId f) { return nets().piece[f] == piece; }) == 0) {
-    return refusal("piece " + nets().pieces[piece].name + " isn't pinned", nets().pieces[piece].faces);
+    return refusal(Message("not_pinned", {{"a", nets().pieces[piece].name}}), nets().pieces[piece].faces);
   }
   return std::nullopt;
 }
@@ -399,7 +394,7 @@ Draft::Change Draft::missing_tab(const unfold::Nets& finished) const {
     const CornerId side = surface_.sides(tab.edge)[tab.side.value()];
     if (tab.wanted && join != finished.joins.end() &&
         (!join->tab.valid() || finished.tabs[join->tab].side != side)) {
-      return Refusal{edit, "there is no room for a usable tab on this side", {mesh::face_of(side)}};
+      return Refusal{edit, Message("no_room_for_tab"), {mesh::face_of(side)}};
     }
   }
   return std::nullopt;

@@ -15,7 +15,7 @@
 #include "export/layout_around.hpp"
 #include "export/sheet/pages.hpp"
 #include "job/job.hpp"
-#include "job/page_labels.hpp"
+#include "job/page_layout.hpp"
 #include "session/edit.hpp"
 #include "unfold/edits.hpp"
 #include "unfold/net/nets.hpp"
@@ -31,7 +31,7 @@ class Places {
  public:
   /// Each piece of the nets stays where the larger share of its faces lay, as long as they lie in its net as
   /// they lay.
-  Places(const job::Paper& made, const State& before, const State& after);
+  Places(const job::Result& made, const State& before, const State& after);
 
   /// The piece is laid there by this edit of the step.
   void lay(std::size_t edit, const Place& place);
@@ -46,7 +46,7 @@ class Places {
  private:
   [[nodiscard]] Refusal refusal_of(const export_::NoPlace& none) const;
 
-  const job::Paper& made_;
+  const job::Result& made_;
   const State& after_;
   IdVector<PieceId, std::optional<export_::KeptPlace>> kept_;
   std::map<PieceId, std::size_t> laid_;  ///< by which edit
@@ -63,7 +63,7 @@ class Draft {
  public:
   /// `made`: the job, before any edit. The context's deadline is ignored, so that equal edits always give
   /// equal bytes.
-  Draft(const job::Paper& made, const State& before, const Context& context);
+  Draft(const job::Result& made, const State& before, const Context& context);
 
   /// Does all edits but for tabs and places, or says why not. Takes the time of unfold/edits.hpp and
   /// unfold/edits.hpp for each.
@@ -111,7 +111,7 @@ class Draft {
     unfold::TabAt tab;
   };
 
-  const job::Paper& made_;
+  const job::Result& made_;
   const mesh::Surface& surface_;
   const State& before_;
   Context context_;

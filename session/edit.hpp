@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/id.hpp"
+#include "base/message.hpp"
 #include "base/vector.hpp"
 #include "export/sheet/pages.hpp"
 #include "unfold/net/nets.hpp"
@@ -43,8 +44,8 @@ struct State {
 
 /// Why something isn't done.
 struct Refusal {
-  std::size_t edit = 0;       ///< which of those that were to be done together, from 0
-  std::string why;            ///< a sentence for people, without its full stop
+  std::size_t edit = 0;  ///< which of those that were to be done together, from 0
+  Message why;
   std::vector<FaceId> faces;  ///< of the prepared surface, where to look; none where the edge isn't there
 };
 

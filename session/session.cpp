@@ -28,7 +28,7 @@ Project with_paper(Project project, Context context) {
   context.deadline.reset();
   context.give_up.reset();
   const State& state = project.state();
-  job::Paper start = *project.start;
+  job::Result start = *project.start;
   if (project.now.drawn.pictures) {
     start.drawn.pictures = project.now.drawn.pictures;
   }
@@ -61,10 +61,10 @@ Project steps_alone(const Project& project) {
 
 }  // namespace
 
-Project open(job::Paper made) {
+Project open(job::Result made) {
   Project project;
-  project.start = std::make_shared<const job::Paper>(std::move(made));
-  const job::Paper& start = *project.start;
+  project.start = std::make_shared<const job::Result>(std::move(made));
+  const job::Result& start = *project.start;
   project.first.nets = {project.start, &start.nets};
   if (start.options.paper && !start.nets_of_board) {
     project.first.pages = {project.start, &start.pages};
@@ -119,7 +119,7 @@ Project undo(const Project& project, const Context& context) {
   return with_paper(std::move(back), context);
 }
 
-Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps, const Context& context) {
+Repeated repeat(job::Result made, std::span<const std::vector<Edit>> steps, const Context& context) {
   Repeated repeated;
   Project project = open(std::move(made));
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -2,8 +2,8 @@
 // A project in memory: a finished job, and what a person did to its nets by hand since. Read this header
 // first. No files, no pages in a browser: whoever shows a project calls these.
 //
-//   Paper --open--> Project --apply--> Project or Refusal      Project --undo--> Project
-//   Project::now.fold is how a project is saved; Paper + its edits --repeat--> Project
+//   Result --open--> Project --apply--> Project or Refusal      Project --undo--> Project
+//   Project::now.fold is how a project is saved; Result + its edits --repeat--> Project
 //
 // A project is a value and each function gives a new one, so what is refused or throws leaves nothing behind.
 // Every state has passed the check of its FOLD file (verify/), as every job has. Equal jobs and equal edits
@@ -33,10 +33,10 @@ struct Step {
 
 /// A job and its edits. Memory grows by some 300 bytes a face with each step; copies share them.
 struct Project {
-  std::shared_ptr<const job::Paper> start;  ///< never null; before the first edit
-  State first;                              ///< the same
+  std::shared_ptr<const job::Result> start;  ///< never null; before the first edit
+  State first;                               ///< the same
   std::vector<Step> steps;
-  job::Paper now;  ///< after all steps
+  job::Result now;  ///< after all steps
 
   [[nodiscard]] bool can_undo() const { return !steps.empty(); }
   /// Of `now`.
@@ -52,7 +52,7 @@ struct Repeated {
 };
 
 /// A project without edits.
-[[nodiscard]] Project open(job::Paper made);
+[[nodiscard]] Project open(job::Result made);
 
 /// Does all of the edits or none, as one step. Pieces that it doesn't
 /// change stay where they lie; the others stay, too, where there is room, or are placed around them. Throws
@@ -81,7 +81,7 @@ inline constexpr double nearby_mm = 15.0;
 /// Another job with such steps, one after the other: the same job, whose saved FOLD file has the steps in its
 /// setting `edits`, or the same model with other options. Steps that would be refused are left out. Throws as
 /// apply(), and takes its time but for drawing, which is done once.
-[[nodiscard]] Repeated repeat(job::Paper made, std::span<const std::vector<Edit>> steps,
+[[nodiscard]] Repeated repeat(job::Result made, std::span<const std::vector<Edit>> steps,
                               const Context& context);
 
 }  // namespace ridgecraft::session

@@ -149,13 +149,11 @@ bool fit_the_sheet(const prepare::Panels& panels, const Options& options, const 
 ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge, const Context& context) {
   const std::vector<FaceId> beside = faces_at(problem.surface, edge);
   if (nets.use[edge] != EdgeUse::fold) {
-    return Refusal{nets.use[edge] == EdgeUse::border
-                       ? "the model ends at this edge, so there is nothing to cut"
-                       : "this edge is cut already",
+    return Refusal{nets.use[edge] == EdgeUse::border ? Message("nothing_to_cut") : Message("cut_already"),
                    beside};
   }
   if (problem.panels.panel[beside[0]] == problem.panels.panel[beside[1]]) {
-    return Refusal{"this edge lies inside a flat region, which stays whole", beside};
+    return Refusal{Message("inside_flat_region"), beside};
   }
   Nets changed = nets;
   changed.use[edge] = EdgeUse::cut;
@@ -167,7 +165,7 @@ ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
     }
   }
   if (halves.find(beside[0].value()) == halves.find(beside[1].value())) {
-    return Refusal{"the paper holds together around this edge, so a cut here parts nothing", beside};
+    return Refusal{Message("cut_parts_nothing"), beside};
   }
   std::array<std::vector<FaceId>, 2> half;
   for (const FaceId f : nets.pieces[nets.piece[beside[0]]].faces) {
@@ -184,9 +182,7 @@ ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
 ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge, const Context& context) {
   const std::vector<FaceId> beside = faces_at(problem.surface, edge);
   if (nets.use[edge] != EdgeUse::cut) {
-    return Refusal{nets.use[edge] == EdgeUse::border
-                       ? "the model ends at this edge, so there is nothing to join"
-                       : "this edge is a fold already",
+    return Refusal{nets.use[edge] == EdgeUse::border ? Message("nothing_to_join") : Message("fold_already"),
                    beside};
   }
   auto [stays, moves] = problem.surface.sides(edge);
@@ -194,9 +190,7 @@ ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
     return nets.pieces[nets.piece[mesh::face_of(side)]];
   };
   if (&piece_at(stays) == &piece_at(moves)) {
-    return Refusal{"both sides of this edge belong to piece " + piece_at(stays).name +
-                       ", and as a fold it would close a loop that doesn't lie flat",
-                   beside};
+    return Refusal{Message("closes_loop", {{"a", piece_at(stays).name}}), beside};
   }
   if (area_of(problem.surface, piece_at(stays).faces) < area_of(problem.surface, piece_at(moves).faces)) {
     std::swap(stays, moves);
@@ -212,12 +206,12 @@ ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
     changed.piece[f] = larger;
     both.push_back(f);
   }
-  const std::string names = "pieces " + piece_at(stays).name + " and " + piece_at(moves).name;
+  const std::vector<MessageValue> names{{"a", piece_at(stays).name}, {"b", piece_at(moves).name}};
   if (std::vector<FaceId> on_each_other = overlapping(changed, both); !on_each_other.empty()) {
-    return Refusal{"joined here " + names + " would overlap", std::move(on_each_other)};
+    return Refusal{Message("would_overlap", names), std::move(on_each_other)};
   }
   if (!fit_the_sheet(problem.panels, problem.options, changed, both)) {
-    return Refusal{names + " stay apart: joined they would be larger than the paper", beside};
+    return Refusal{Message("larger_than_paper", names), beside};
   }
   changed.use[edge] = EdgeUse::fold;
   close_flat_cuts(problem.surface, problem.panels,
@@ -225,7 +219,7 @@ ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
   Nets joined = nets_of_uses(problem, nets, changed, causes_in(nets), context);
   const Piece& made = joined.pieces[joined.piece[beside[0]]];
   if (problem.options.pieces.fold_linear && made.folding.way != FoldWay::together) {
-    return Refusal{names + " stay apart: joined they wouldn't fold with all creases together", beside};
+    return Refusal{Message("wouldnt_fold_together", names), beside};
   }
   return joined;
 }
@@ -319,7 +313,7 @@ ChangedNets retry_pieces(const UnfoldProblem& problem, const Nets& nets, std::sp
     const Alone one = alone(problem.surface, problem.panels, problem.options, piece);
     const std::optional<Nets> found = another_net(one, nets, context);
     if (!found) {
-      return Refusal{"no other net of piece " + piece.name + " was found", piece.faces};
+      return Refusal{Message("no_other_net", {{"a", piece.name}}), piece.faces};
     }
     for (const EdgeId e : ids<EdgeId>(one.from.edge.size())) {
       if (found->use[e] != EdgeUse::border) {

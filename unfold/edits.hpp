@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/message.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
@@ -20,7 +21,7 @@ namespace ridgecraft::unfold {
 
 /// Why an edge can't become what was asked for.
 struct Refusal {
-  std::string why;            ///< a sentence for people, without its full stop
+  Message why;
   std::vector<FaceId> faces;  ///< where to look: those that would lie on each other, or have the edge
 };
 

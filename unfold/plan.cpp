@@ -49,7 +49,7 @@ bool lies_whole(const mesh::Surface& surface, const prepare::Panels& panels, con
 /// The same panels, but those that no piece could hold whole are divided into as few as possible that fit the
 /// room; a note says how many there were. Each face alone must fit. O(n) but for the divided ones.
 prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Panels& panels, const Room& room,
-                               const Context& context, std::vector<std::string>& notes) {
+                               const Context& context, std::vector<Message>& notes) {
   prepare::Panels fitting;
   fitting.panel = IdVector<FaceId, PanelId>(surface.face_count());
   const prepare::Panels single = single_faces(surface);
@@ -83,8 +83,7 @@ prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Pane
     }
   }
   if (divided > 0) {
-    notes.push_back(std::to_string(divided) + (divided == 1 ? " flat region is" : " flat regions are") +
-                    " larger than the printable area, so cut");
+    notes.push_back(Message("large_regions_cut", {{"n", divided}}));
   }
   return fitting;
 }
@@ -124,8 +123,7 @@ void refuse_large_faces(const UnfoldProblem& problem) {
     const auto [a, b, c] = surface.vertices(f);
     const Triangle t = flat_shape(surface.point(a), surface.point(b), surface.point(c));
     if (!angle_to_fit(convex_hull({t.begin(), t.end()}), *sheet)) {
-      throw Error(ErrorKind::no_nets,
-                  "face " + std::to_string(f.value()) + " is larger than the printable area of the paper");
+      throw Error(ErrorKind::no_nets, Message("face_too_large", {{"face", f.value()}}));
     }
   }
 }

@@ -8,6 +8,7 @@
 
 #include "base/context.hpp"
 #include "base/id.hpp"
+#include "base/message.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_constraints.hpp"
@@ -25,7 +26,7 @@ struct Plan {
   prepare::Panels whole;
   EdgeConstraints possible_constraints;  ///< of those in UnfoldProblem::options; empty if there are none
   IdVector<FaceId, PartId> group;  ///< faces that are unfolded together: parts that keep what is to be kept
-  std::vector<std::string> notes;  ///< for Nets::notes
+  std::vector<Message> notes;  ///< for Nets::notes
 };
 
 /// Throws Error(no_nets) where a face is larger than the sheet: it can't be cut from any. O(n).

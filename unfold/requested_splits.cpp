@@ -181,27 +181,17 @@ LinearFolding fold_together(const Plan& plan, const Patch& patch, const Folds& f
 }
 
 void note_linear_folding(std::size_t split_pieces, Nets& nets) {
-  nets.notes.push_back((split_pieces == 0   ? std::string("no piece had to be")
-                        : split_pieces == 1 ? std::string("1 piece was")
-                                            : std::to_string(split_pieces) + " pieces were") +
-                       " split off so that all fold up with all creases together");
+  nets.notes.push_back(
+      Message(split_pieces == 0 ? "none_split_to_fold" : "split_to_fold", {{"n", split_pieces}}));
   const auto others = std::count_if(nets.pieces.begin(), nets.pieces.end(), [](const Piece& piece) {
     return piece.folding.way != FoldWay::together;
   });
   if (others > 0) {
-    nets.notes.push_back(std::to_string(others) + (others == 1 ? " piece doesn't" : " pieces don't") +
-                         " fold up with all creases together all the same: edges that were to be kept are in "
-                         "the way of splitting further");
+    nets.notes.push_back(Message("dont_fold_together", {{"n", others}}));
   }
 }
 
-namespace {
-
-std::string counted(std::size_t number, const char* one, const char* more) {
-  return std::to_string(number) + (number == 1 ? one : more);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool wants_all_tabs(const Options& options) {
   return options.tabs.wanted && options.tabs.split_pieces;
@@ -231,27 +221,20 @@ void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& net
   const auto narrow = static_cast<std::size_t>(
       std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; }));
   const std::size_t usable = tabs_usable(problem.surface, nets, problem.options.tabs);
-  std::vector<std::string> facts;
-  facts.push_back((split.split_pieces == 0 ? std::string("no piece had to be")
-                                           : counted(split.split_pieces, " piece was", " pieces were")) +
-                  " split off for tabs");
+  std::vector<Message> facts;
+  facts.push_back(
+      Message(split.split_pieces == 0 ? "none_split_for_tabs" : "split_for_tabs", {{"n", split.split_pieces}}));
   if (narrow > 0) {
-    facts.push_back(counted(narrow, " edge is too short, or the faces behind it",
-                            " edges are too short, or the faces behind them") +
-                    " too narrow, for a tab that holds");
+    facts.push_back(Message("too_narrow_for_tabs", {{"n", narrow}}));
   }
   if (nets.joins.size() > usable + narrow) {
-    facts.push_back(counted(nets.joins.size() - usable - narrow, " edge has", " edges have") +
-                    (split.in_time ? " no room for a tab even so" : " no room for a tab yet"));
+    facts.push_back(Message(split.in_time ? "still_no_room" : "no_room_yet",
+                            {{"n", nets.joins.size() - usable - narrow}}));
   }
   if (!split.in_time) {
-    facts.emplace_back("the time given was up before all ways to split were tried");
+    facts.emplace_back("splits_untried");
   }
-  std::string note = std::move(facts.front());
-  for (std::size_t i = 1; i < facts.size(); ++i) {
-    note += "; " + facts[i];
-  }
-  nets.notes.push_back(std::move(note));
+  nets.notes.push_back(Message("all_of", {{"facts", std::move(facts)}}));
 }
 
 }  // namespace ridgecraft::unfold

@@ -38,8 +38,7 @@ void note_broken_constraints(const EdgeConstraints& constraints, Nets& nets) {
   const std::size_t broken = count_broken(constraints, nets);
   nets.broken_constraints = broken;
   if (broken > 0) {
-    nets.notes.push_back(std::to_string(broken) + (broken == 1 ? " edge that was" : " edges that were") +
-                         " to be kept are cut: as folds they would close a loop, overlap or fit no page");
+    nets.notes.push_back(Message("kept_edges_cut", {{"n", broken}}));
   }
 }
 
@@ -165,12 +164,12 @@ class Unfolding {
   void describe(Nets& nets) {
     nets.notes = plan_.notes;
     if (whole_.options.tabs.wanted && !in_time_for_nets_) {
-      nets.notes.emplace_back("the time given was up before all nets with more tabs were tried");
+      nets.notes.emplace_back("tabs_untried");
     }
     for (PartNote& note : part_notes_) {
       note.face = each_ ? each_->kept.face[note.face] : note.face;
     }
-    const std::vector<std::string> of_parts = sentences(part_notes_, nets);
+    const std::vector<Message> of_parts = messages(part_notes_, nets);
     nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
     note_broken_constraints(whole_.options.constraints, nets);
     if (whole_.options.pieces.fold_linear) {

@@ -32,34 +32,35 @@ std::vector<PieceId> pieces_of_part(FaceId face, const Nets& nets) {
   return pieces;
 }
 
-/// "a part of A" (which has faces of others, too), "the part of A and C", "each of the parts of A and C; D":
-/// parts by their pieces.
-std::string names_of(std::vector<std::vector<PieceId>> parts, const Nets& nets) {
+/// "a part of A: ..." (which has faces of others, too), "the part of A and C: ...", "each of the parts of A
+/// and C; D: ...": parts by their pieces.
+Message note_of(const Message& what, std::vector<std::vector<PieceId>> parts, const Nets& nets) {
   std::sort(parts.begin(), parts.end());
   parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
   // A piece may have faces of several parts, and the fact is one part's.
   const bool is_one_of_several =
       parts.size() == 1 && parts[0].size() == 1 && nets.pieces[parts[0][0]].parts.size() > 1;
-  std::string text = is_one_of_several   ? "a part of "
-                     : parts.size() == 1 ? "the part of "
-                                         : "each of the parts of ";
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i == most_names && parts.size() > most_names + 1) {
-      return text + "; and " + std::to_string(parts.size() - most_names) + " more";
-    }
+  const std::size_t named = parts.size() > most_names + 1 ? most_names : parts.size();
+  std::vector<Message> pieces;
+  for (std::size_t i = 0; i < named; ++i) {
     std::vector<std::string> names;
     for (const PieceId piece : parts[i]) {
       names.push_back(nets.pieces[piece].name);
     }
-    text += (i == 0 ? "" : "; ") + listed(names, "and");
+    pieces.push_back(Message("names", {{"names", plain_items(names)}}));
   }
-  return text;
+  return Message(
+      is_one_of_several       ? "one_part_of"
+      : parts.size() == 1     ? "part_of"
+      : named == parts.size() ? "parts_of"
+                              : "parts_of_and_more",
+      {{"pieces", std::move(pieces)}, {"more", parts.size() - named}, {"what", std::vector{what}}});
 }
 
 }  // namespace
 
-std::vector<std::string> sentences(std::span<const PartNote> notes, const Nets& nets) {
-  std::vector<std::pair<std::string, std::vector<std::vector<PieceId>>>> facts;
+std::vector<Message> messages(std::span<const PartNote> notes, const Nets& nets) {
+  std::vector<std::pair<Message, std::vector<std::vector<PieceId>>>> facts;
   for (const PartNote& note : notes) {
     const auto known =
         std::find_if(facts.begin(), facts.end(), [&](const auto& fact) { return fact.first == note.what; });
@@ -70,9 +71,9 @@ std::vector<std::string> sentences(std::span<const PartNote> notes, const Nets& 
       facts.push_back({note.what, {std::move(pieces)}});
     }
   }
-  std::vector<std::string> result;
+  std::vector<Message> result;
   for (const auto& [what, parts] : facts) {
-    result.push_back(names_of(parts, nets) + ": " + what);
+    result.push_back(note_of(what, parts, nets));
   }
   return result;
 }
@@ -151,7 +152,7 @@ Patch whole_patch(const UnfoldProblem& problem, const Plan& plan) {
 UnfoldedParts unfold_parts(const UnfoldProblem& problem, const Plan& plan, const Context& context) {
   const std::vector<Task> tasks = make_tasks(problem, plan);
   UnfoldedParts result{Folds(problem.surface.corner_count(), 0), Causes(problem.surface.face_count()), {}};
-  std::vector<std::vector<std::string>> notes(tasks.size());
+  std::vector<std::vector<Message>> notes(tasks.size());
   do_in_parallel(
       tasks.size(), context,
       [&](std::size_t i, const Context& own) {
@@ -168,7 +169,7 @@ UnfoldedParts unfold_parts(const UnfoldProblem& problem, const Plan& plan, const
                        share_of_parts * static_cast<double>(done) / static_cast<double>(tasks.size()));
       });
   for (std::size_t t = 0; t < tasks.size(); ++t) {
-    for (const std::string& note : notes[t]) {
+    for (const Message& note : notes[t]) {
       result.notes.push_back({note, tasks[t].faces.front()});
     }
   }

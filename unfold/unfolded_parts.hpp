@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the searches tell of single parts, as sentences about the pieces that the user sees.
+// What the searches report of single parts, as messages about the pieces that the user sees.
 #pragma once
 
 #include <compare>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/message.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/plan.hpp"
@@ -17,13 +18,13 @@ namespace ridgecraft::unfold {
 
 /// A fact about a part while its pieces have no names yet.
 struct PartNote {
-  std::string what;  ///< a sentence's rest after "the part of A: "
-  FaceId face;       ///< one of the part's
+  Message what;
+  FaceId face;  ///< one of the part's
 };
 
-/// One sentence for each fact, in the order in which they first appear, each part told by all of its pieces:
+/// One message for each fact, in the order in which they first appear, each part named by all of its pieces:
 /// "the part of D and E: ...", "the parts of D and E; G; and 62 more: ...". O(facts x pieces).
-[[nodiscard]] std::vector<std::string> sentences(std::span<const PartNote> notes, const Nets& nets);
+[[nodiscard]] std::vector<Message> messages(std::span<const PartNote> notes, const Nets& nets);
 
 // The first nets: each part by itself, all at the same time.
 

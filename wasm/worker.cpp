@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as a browser's worker calls it: one project at a time, whose paper is kept for all that is
 // written of it. Files lie in the module's own file system; what is to be done comes as words of the command
-// line, so that the page has every option, and every sentence, that the program has.
+// line, so that the page has every option that the program has.
+// What it says are messages: codes with values (base/message.hpp).
 #include <cstddef>
 #include <exception>
 #include <new>
@@ -15,10 +16,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/message.hpp"
 #include "cli/arguments/parse.hpp"
 #include "cli/files/targets.hpp"
-#include "cli/jobs/paper_job.hpp"
+#include "cli/files/value.hpp"
+#include "cli/jobs/make_job.hpp"
 #include "cli/jobs/stages.hpp"
+#include "cli/report/figures.hpp"
 #include "cli/report/messages.hpp"
 #include "cli/report/summary.hpp"
 #include "export/export.hpp"
@@ -38,8 +42,8 @@ namespace {
 std::string answer;
 
 struct Project {
-  PaperJob job;
-  PaperResult result;                      ///< with what was done by hand
+  MakeJob job;
+  MakeResult result;                       ///< with what was done by hand
   std::optional<session::Project> edited;  ///< from the first edit on
 };
 std::optional<Project> project;
@@ -51,15 +55,15 @@ struct Files {
 };
 std::optional<Files> files;
 
-void say_note(const std::string& sentence) {
-  ridgecraft_tell("note", sentence.c_str(), 0.0);
+void report_note(const Message& note) {
+  ridgecraft_tell("note", json_line(value_of(note)).c_str(), 0.0);
 }
 
 /// Does the work; its error becomes the answer, with the program's exit code as the result.
 template <class Work>
 int guarded(const Work& work) {
-  const auto fail = [](ExitCode code, const std::string& sentence) {
-    answer = sentence;
+  const auto fail = [](ExitCode code, const Message& message) {
+    answer = json_line(value_of(message));
     return static_cast<int>(code);
   };
   answer.clear();
@@ -67,15 +71,15 @@ int guarded(const Work& work) {
     work();
     return 0;
   } catch (const Error& error) {
-    return fail(exit_code(error.kind()), error.what());
+    return fail(exit_code(error.kind()), error.message());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::unusable_mesh, "the model needs more memory than there is");
+    return fail(ExitCode::unusable_mesh, Message("memory_in_browser"));
   } catch (const std::exception& error) {
-    return fail(ExitCode::internal, std::string("internal error: ") + error.what());
+    return fail(ExitCode::internal, Message("internal", {{"text", error.what()}}));
   }
 }
 
-Context context_of(const PaperJob& job) {
+Context context_of(const MakeJob& job) {
   Context context;
   context.seed = job.common.seed;
   context.progress = [](std::string_view stage, double share) {
@@ -94,34 +98,33 @@ Project& present() {
 
 void make(const std::vector<std::string>& words) {
   Job parsed = parse_arguments(words);
-  if (!std::holds_alternative<PaperJob>(parsed)) {
+  if (!std::holds_alternative<MakeJob>(parsed)) {
     throw Error(ErrorKind::usage, "a page makes paper of a model and nothing else");
   }
   // Whatever there was goes first: both might not fit into the memory.
   files.reset();
   project.reset();
-  PaperJob job = std::get<PaperJob>(std::move(parsed));
+  MakeJob job = std::get<MakeJob>(std::move(parsed));
   job.common.threads = 1;
   const Context context = context_of(job);
   for (const auto& warning :
        {narrow_margin_warning(*job.options.paper), assumed_unit_warning(job.size_asked, job.options.size)}) {
     if (warning) {
-      say_note(*warning);
+      report_note(*warning);
     }
   }
-  PaperResult result = about(job.model, [&] {
-    return make_pages(job, context, [](const job::Remark& remark) { say_note(sentence(remark)); });
+  MakeResult result = about(job.model, [&] {
+    return make_pages(job, context, [](const job::Remark& remark) { report_note(message(remark)); });
   });
-  for (const std::string& line :
-       repair_lines(result.made.prepared.model.repairs, result.made.skin.united > 0)) {
-    say_note(line);
+  for (const Message& line : repair_lines(result.made.prepared.model.repairs, result.made.skin.united > 0)) {
+    report_note(line);
   }
   answer = summary(job, result).json();
   project.emplace(Project{std::move(job), std::move(result), std::nullopt});
 }
 
 /// What is to be written under this name: "whale.svg" means as many files as there are pages.
-Target target_of(const PaperJob& job, const std::string& name) {
+Target target_of(const MakeJob& job, const std::string& name) {
   constexpr std::string_view guide_ending = "-guide.pdf";
   if (name.ends_with(guide_ending)) {
     return guide_beside(target_of(job, name.substr(0, name.size() - guide_ending.size()) + ".pdf"));
@@ -157,7 +160,10 @@ nlohmann::json refusal_json(const session::Refusal& refusal) {
   for (const FaceId f : refusal.faces) {
     faces.push_back(f.value());
   }
-  return {{"refused", {{"edit", refusal.edit}, {"why", refusal.why}, {"faces", std::move(faces)}}}};
+  return {{"refused",
+           {{"edit", refusal.edit},
+            {"why", nlohmann::json::parse(json_line(value_of(refusal.why)))},
+            {"faces", std::move(faces)}}}};
 }
 
 /// Edits of one step, or an error: what is in the text comes from our own page.
@@ -209,8 +215,8 @@ void repeat(const std::string& lines) {
 /// The names of all files that this name stands for; none of a guide that isn't wanted. It is drawn here, for
 /// it takes longer than all else that follows from an edit.
 void plan(const std::string& name) {
-  const PaperJob& job = present().job;
-  job::Paper& made = present().result.made;
+  const MakeJob& job = present().job;
+  job::Result& made = present().result.made;
   Target target = target_of(job, name);
   if (target.shows == Shows::guide && wants_guide(job) && made.guide.pages.empty()) {
     made.guide = job::guide_of(made, context_of(job));
@@ -236,7 +242,7 @@ using namespace ridgecraft;
 extern "C" {
 
 /// Makes paper; `words` is a JSON list of the words of a command line. 0 and the summary's JSON as the
-/// answer, or the program's exit code and a sentence.
+/// answer, or the program's exit code and a message's JSON.
 EMSCRIPTEN_KEEPALIVE int ridgecraft_make(const char* words) {
   return cli::guarded([&] { cli::make(nlohmann::json::parse(words).get<std::vector<std::string>>()); });
 }

@@ -6,7 +6,6 @@ import {htmlElement} from "./guide.js";
 import {modelEnds} from "./nets.js";
 import {byId} from "./panel.js";
 import {svgElement} from "./page_drawer.js";
-import {sayRefusal} from "./studio_words.js";
 import {say} from "./words.js";
 
 /** @typedef {import("./app.js").App} App */
@@ -107,14 +106,14 @@ export class Offer {
     const asked = offers.map(({edit}) => edit);
     this.edits = asked;
     const {ok, why, faces} = spot.edge < 0 ? {ok: true, why: "", faces: []}
-      : await this.backend.preview([main.edit]).catch((error) => ({ok: false, why: error.message, faces: []}));
+      : await this.backend.preview([main.edit]).catch((error) => ({ok: false, why: String(error.message), faces: []}));
     if (this.edits !== asked) {
       return;
     }
     const possible = ok ? offers : others;
     this.edits = possible.map(({edit}) => edit);
     this.box.setAttribute("aria-label", say(spot.edge >= 0 ? "edit_edge" : "edit_piece", {name: app.nets.pieces[spot.piece].name}));
-    this.words.textContent = ok ? "" : sayRefusal(why ?? "");
+    this.words.textContent = ok ? "" : why ?? "";
     this.buttons.replaceChildren(...possible.map(({edit, text}) => {
       const button = htmlElement("button", {type: "button", class: spot.edge >= 0 && edit === main.edit ? "strong" : ""}, [text]);
       button.addEventListener("click", () => {

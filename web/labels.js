@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What pieces and edges are called in the line at the foot, and for readers who can't see them.
 
-import {say, sayAngle, sayCount, sayLength, sayList, sayNoTab} from "./words.js";
+import {say, sayAngle, sayCount, sayLength, sayList, sayMessage} from "./words.js";
 
 /** @typedef {import("./nets.js").Nets} Nets */
 
@@ -24,7 +24,7 @@ export function edgeLabel(nets, e) {
   if (edge.join >= 0) {
     const join = nets.joins[edge.join];
     const [a, b] = join.pieces.map((p) => nets.pieces[p].name);
-    return say("join_line", {number: join.number, a, b, length, tab: join.tab < 0 ? say("no_tab", {why: sayNoTab(join.why)})
+    return say("join_line", {number: join.number, a, b, length, tab: join.tab < 0 ? say("no_tab", {why: sayMessage({code: `no_tab_${join.why}`, values: {}, text: join.why})})
       : say("tab_on", {name: nets.pieces[nets.tabs[join.tab].piece].name})});
   }
   return edge.kind === "B" ? say("border_line", {length, name})

@@ -35,7 +35,7 @@
  * @property {number[]} edges two
  * @property {number[]} pieces of these edges
  * @property {number} tab or -1
- * @property {string} why there is no tab
+ * @property {string} why there is no tab: the end of a message's code
  * @property {number} step of the assembly in which it is closed
  *
  * @typedef {object} Tab

@@ -70,6 +70,11 @@ export const optionTable = [
   {key: "seed", group: "machine", kind: "text", word: "--seed", usual: "1", more: true},
 ];
 
+/** Options that stand for others. @type {Record<string, string>} */
+export const aliases = {
+  "--no-tabs": "--tabs=none",
+};
+
 Object.assign(texts, {
   "option_size": ["Largest side", "Längste Seite"],
   "option_size_usual": ["as needed", "nach Bedarf"],

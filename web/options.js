@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a maker may choose: each option is a control of the panel and words of the program's command line.
 
-import {optionTable} from "./option_words.js";
+import {aliases, optionTable} from "./option_words.js";
 
 export {optionTable};
 
@@ -40,7 +40,7 @@ export function optionsOf(words) {
   /** @type {string[]} */
   const rest = [];
   for (let i = 0; i < words.length; ++i) {
-    const [word, ...value] = words[i].split("=");
+    const [word, ...value] = (aliases[words[i]] ?? words[i]).split("=");
     const option = optionTable.find((one) => one.word === word);
     if (!option) {
       rest.push(words[i]);

@@ -292,7 +292,8 @@ export class Studio {
         if (error instanceof Refusal && error.faces.length > 0) {
           this.app?.markFaces(error.faces);
         }
-        this.refuse(error instanceof Cancelled ? (this.state ? say("cancelled") : "") : error instanceof Error ? error.message : String(error));
+        this.refuse(error instanceof Cancelled ? (this.state ? say("cancelled") : "") : error instanceof Error ? error.message : String(error),
+          error instanceof Refusal ? error.proposal : null);
       }
     } finally {
       clearTimeout(patience);
@@ -354,20 +355,19 @@ export class Studio {
     this.#showNotes([...byId("studio-notes").querySelectorAll("li")].map((item) => item.textContent ?? "").concat(text));
   }
 
-  /** What can't be, with a button where the sentence names a option that would help. @param {string} sentence */
-  refuse(sentence) {
+  /** What can't be, with a button for the option that would help. @param {string} sentence
+   * @param {{option: string, value: string} | null} [proposal] */
+  refuse(sentence, proposal = null) {
     this.error = sentence;
     const box = byId("refused");
     box.hidden = sentence === "";
     /** @type {HTMLElement} */ (box.querySelector("p")).textContent = sentence;
-    const proposed = [...sentence.matchAll(/(--[a-z-]+) ([\w.:%]*\w)/g)].map(([, word, value]) => ({value, option: optionTable.find((one) =>
-      one.word === word && (one.choices?.includes(value) ?? (one.kind !== "flag" && /\d|^(auto|keep|any)$/.test(value))))}));
-    const {option, value} = proposed.find((one) => one.option) ?? {};
+    const option = optionTable.find(({word}) => word === `--${proposal?.option}`);
     const button = byId("try-it");
     button.hidden = !option || !this.backend.project;
-    if (option && value) {
-      button.textContent = `${say(`option_${option.key}`)}: ${value}`;
-      button.onclick = () => this.setOptions({[option.key]: value});
+    if (option && proposal) {
+      button.textContent = `${say(`option_${option.key}`)}: ${proposal.value}`;
+      button.onclick = () => this.setOptions({[option.key]: proposal.value});
     }
   }
 

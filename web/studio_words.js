@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts of the studio, which a page with one result doesn't need.
 
-import {reader, texts} from "./words.js";
+import {studioMessages} from "./message_words.js";
+import {messages, sayMessage, texts} from "./words.js";
+
+/** @typedef {import("./words.js").Message} Message */
+
+Object.assign(messages, studioMessages);
 
 Object.assign(texts, {
   studio_title: ["Ridgecraft: a model becomes paper", "Ridgecraft: aus einem Modell wird Papier"],
@@ -89,46 +94,19 @@ Object.assign(texts, {
   stage_write: ["Writing", "Schreiben"],
 });
 
-/** The program's sentences on why an edge isn't cut or joined, in English and German (session/, unfold/edits). @type {[string, string][]} */
-export const refusals = [
-  ["the model has no such edge", "das Modell hat keine solche Kante"],
-  ["the faces beside this edge belong on different pages", "die Flächen an dieser Kante gehören auf verschiedene Seiten"],
-  ["the model ends at this edge, so there is nothing to cut", "das Modell endet an dieser Kante, zu schneiden ist hier nichts"],
-  ["the model ends at this edge, so there is nothing to join", "das Modell endet an dieser Kante, zu verbinden ist hier nichts"],
-  ["this edge is cut already", "hier ist schon geschnitten"],
-  ["this edge is a fold already", "hier ist schon gefaltet"],
-  ["this edge lies inside a flat region, which stays whole", "diese Kante liegt in einer ebenen Fläche, und die bleibt ganz"],
-  ["the paper holds together around this edge, so a cut here parts nothing", "das Papier hängt um diese Kante herum zusammen, ein Schnitt hier trennt nichts"],
-  ["both sides of this edge belong to piece {a}, and as a fold it would close a loop that doesn't lie flat", "beide Seiten dieser Kante gehören zu Teil {a}; als Falz schlösse sie einen Ring, der nicht flach liegt"],
-  ["joined here pieces {a} and {b} would overlap", "hier verbunden lägen die Teile {a} und {b} übereinander"],
-  ["there is no room for a usable tab on this side", "auf dieser Seite ist kein Platz für eine brauchbare Lasche"],
-  ["piece {a} is pinned", "Teil {a} wird festgehalten"],
-  ["piece {a} is pinned already", "Teil {a} wird schon festgehalten"],
-  ["piece {a} isn't pinned", "Teil {a} wird nicht festgehalten"],
-  ["piece {a} is pinned, and with the tabs that it would get it has no room there", "Teil {a} wird festgehalten und hätte dort mit seinen neuen Laschen keinen Platz"],
-  ["no other net of piece {a} was found", "für Teil {a} wurde keine andere Abwicklung gefunden"],
-  ["piece {a} would leave the part of the page that is for pieces", "Teil {a} läge außerhalb der Fläche, die auf der Seite für Teile ist"],
-  ["there piece {a} would lie on piece {b}, or nearer to it than {n} mm", "dort läge Teil {a} auf Teil {b} oder näher daran als {n} mm"],
-  ["pieces {a} and {b} belong on different pages", "die Teile {a} und {b} gehören auf verschiedene Seiten"],
-  ["pages of board are filled by the program alone", "Seiten aus Pappe füllt das Programm allein"],
-  ["nets without pages have no places", "ohne Seiten haben Abwicklungen keine Plätze"],
-  ["there is no such page", "diese Seite gibt es nicht"],
-  ["the model has no such face", "das Modell hat keine solche Fläche"],
-  ["these nets are made without tabs", "diese Abwicklungen sind ohne Laschen"],
-  ["only an edge that is glued has a tab", "eine Lasche hat nur eine Kante, die geklebt wird"],
-  ["pieces {a} and {b} stay apart: joined they would be larger than the paper", "die Teile {a} und {b} bleiben getrennt: zusammen sind sie größer als das Papier"],
-  ["pieces {a} and {b} stay apart: joined they wouldn't fold with all creases together", "die Teile {a} und {b} bleiben getrennt: zusammen ließen sie sich nicht mit allen Falzen zugleich falten"],
-];
+/** A message as a sentence of its own. Names of files keep their letters. @param {Message} message */
+export function saySentence(message) {
+  const sentence = sayMessage(message);
+  return messages[message.code]?.[0].startsWith("{") ?? true ? sentence : `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`;
+}
 
-/** A sentence of the program's about an edit, for the reader. @param {string} why */
-export function sayRefusal(why) {
-  let sentence = why;
-  for (const [english, german] of reader.language === "de" ? refusals : []) {
-    const gaps = [...english.matchAll(/\{(\w+)\}/g)].map(([, name]) => name);
-    const found = new RegExp(`^${english.replace(/\{\w+\}/g, "(.+?)")}$`).exec(why);
-    if (found) {
-      sentence = german.replace(/\{(\w+)\}/g, (_, name) => found[gaps.indexOf(name) + 1]);
-    }
+/** The option that a message proposes; null where it proposes none. @param {Message} message
+ * @returns {{option: string, value: string} | null} */
+export function proposalOf({values}) {
+  const proposed = values.try;
+  if (typeof proposed === "object" && !Array.isArray(proposed)) {
+    return proposed;
   }
-  return `${sentence.charAt(0).toUpperCase()}${sentence.slice(1)}.`;
+  return Object.values(values).filter(Array.isArray).flat().map((item) => (typeof item === "string" ? null : proposalOf(item)))
+    .find((one) => one !== null) ?? null;
 }

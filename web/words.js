@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // All texts of the page by key, in two languages, and numbers as people there write them.
 
+import {viewerMessages} from "./message_words.js";
+
+/** The program's messages that this page can show. @type {Record<string, [string, string]>} English, German */
+export const messages = {...viewerMessages};
+
 /** @type {Record<string, [string, string]>} English, German */
 export const texts = {
   model: ["Model", "Modell"],
@@ -32,6 +37,7 @@ export const texts = {
   folds_n: ["{n} folds", "{n} Falze"],
   joins_1: ["{n} join", "{n} Naht"],
   joins_n: ["{n} joins", "{n} Nähte"],
+  named: ["“{name}”", "„{name}“"],
   page: ["page {page}", "Seite {page}"],
   piece: ["Piece {name}", "Teil {name}"],
   piece_line: ["Piece {name}, {page}: {faces}, {folds}{glued}", "Teil {name}, {page}: {faces}, {folds}{glued}"],
@@ -94,17 +100,6 @@ export const texts = {
   broken: ["This page can't show its model: {why}", "Diese Seite kann ihr Modell nicht zeigen: {why}"],
 };
 
-/** The program's words on why a join has no tab, in English and German (unfold/net/nets.cpp). @type {[string, string][]} */
-export const noTabReasons = [
-  ["the edge is too short for a tab", "die Kante ist zu kurz dafür"],
-  ["a tab on either side would lie over a face or another tab", "auf beiden Seiten läge sie über einer Fläche oder einer anderen Lasche"],
-  ["a tab would stick out behind the face it is glued to", "sie stünde hinter der Fläche vor, an die sie geklebt wird"],
-  ["a tab would hang on less than 2 mm of paper", "sie hinge an weniger als 2 mm Papier"],
-  ["the piece with the tab would not fit the paper", "mit ihr wäre das Teil zu groß fürs Papier"],
-  ["tabs are switched off", "Laschen sind abgeschaltet"],
-  ["the time given was up before a place for a tab was found", "die Zeit war um, bevor ein Platz dafür gefunden war"],
-];
-
 /** Of the reader. */
 export const reader = {
   language: (globalThis.navigator?.language ?? "en").toLowerCase().startsWith("de") ? "de" : "en",
@@ -121,10 +116,41 @@ export function say(key, values = {}) {
   return text.replace(/\{(\w+)\}/g, (gap, name) => (name in values ? String(values[name]) : gap));
 }
 
-/** Why a join has no tab, for the reader. @param {string} why */
-export function sayNoTab(why) {
-  const known = noTabReasons.find(([english]) => english === why);
-  return known && reader.language === "de" ? known[1] : why;
+/**
+ * A message of the program's: the code of a text, and what fills its gaps. An option may fill one, or further messages.
+ * @typedef {string | {option: string, value: string} | (Message | string)[]} Filling
+ * @typedef {{code: string, values: Record<string, Filling>, text: string}} Message
+ */
+
+/** {name}, {name|one|many} and {name, and}, as base/message.hpp has them. */
+const gaps = /\{(\w+)(?:\|([^|}]*)\|([^}]*)|, (\w+))?\}/g;
+
+/** For the reader, whom its English text has to do where its code is unknown. @param {Message} message @returns {string} */
+export function sayMessage({code, values, text}) {
+  return messages[code]?.[reader.language === "de" ? 1 : 0].replace(gaps, (_, name, one, many, word) => one === undefined
+    ? sayFilling(values[name], word) : (values[name] === "1" ? one : many).replace("#", values[name])) ?? text;
+}
+
+/** @param {Filling} filling @param {string} [word] before the last one of several */
+function sayFilling(filling, word) {
+  if (typeof filling === "string") {
+    return sayOption(filling, "");
+  }
+  if (!Array.isArray(filling)) {
+    return sayOption(`--${filling.option}`, filling.value);
+  }
+  const items = filling.map((item) => (typeof item === "string" ? item : sayMessage(item)));
+  return word && items.length > 1 ? `${items.slice(0, -1).join(", ")} ${word} ${items.at(-1)}` : items.join("; ");
+}
+
+/** An option as the page's own control is called; other words as they are. @param {string} word of the command line @param {string} value */
+function sayOption(word, value) {
+  const key = `option_${word.slice(2).replaceAll("-", "_")}`;
+  if (!word.startsWith("--") || !(key in texts)) {
+    return `${word} ${value}`.trim();
+  }
+  const choice = `${key}_${value}`;
+  return say("named", {name: value === "" ? say(key) : `${say(key)}: ${choice in texts ? say(choice) : value}`});
 }
 
 /** @param {number} value @param {number} digits */

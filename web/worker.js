@@ -8,7 +8,8 @@
 //   {id, call: "undo"}
 //   {id, call: "write", name}              the files that this name after -o stands for: [{name, bytes}]
 //
-// Answers are {id, ...} with `error: {code, sentence}` where a call fails; between them {stage, share} and {note}.
+// Answers are {id, ...} with `error: {code, message}` where a call fails; between them {stage, share} and {note}. Messages and notes are
+// codes with values (words.js).
 
 /** @type {any} */
 const worker = self;
@@ -24,7 +25,7 @@ async function startCore(module) {
       return {};
     },
     report: (/** @type {string} */ kind, /** @type {string} */ text, /** @type {number} */ share) =>
-      worker.postMessage(kind === "progress" ? {stage: text, share} : {note: text}),
+      worker.postMessage(kind === "progress" ? {stage: text, share} : {note: JSON.parse(text)}),
     print: () => {},
     printErr: () => {},
   });
@@ -33,11 +34,12 @@ async function startCore(module) {
   return {};
 }
 
-/** A sentence of the program's that says why it didn't. */
+/** The program's message on why it didn't. */
 class Refused extends Error {
-  /** @param {string} sentence @param {number} code */
-  constructor(sentence, code) {
-    super(sentence);
+  /** @param {any} why a message @param {number} code of the program's exit */
+  constructor(why, code) {
+    super(why.text);
+    this.why = why;
     this.code = code;
   }
 }
@@ -48,7 +50,7 @@ function answerOf(name, value) {
   const begin = core.ccall("ridgecraft_answer", "number", [], []);
   const bytes = core.HEAPU8.slice(begin, begin + core.ccall("ridgecraft_answer_size", "number", [], []));
   if (code !== 0) {
-    throw new Refused(new TextDecoder().decode(bytes), code);
+    throw new Refused(JSON.parse(new TextDecoder().decode(bytes)), code);
   }
   return bytes;
 }
@@ -103,7 +105,7 @@ worker.onmessage = async (/** @type {MessageEvent} */ {data}) => {
     }
   } catch (error) {
     if (error instanceof Refused) {
-      worker.postMessage({id: data.id, error: {code: error.code, sentence: error.message}});
+      worker.postMessage({id: data.id, error: {code: error.code, message: error.why}});
     } else {
       // A trap: nothing in here can be trusted any more, and the page starts another one.
       worker.postMessage({id: data.id, broken: error instanceof Error ? error.message : String(error)});

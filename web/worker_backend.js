@@ -4,20 +4,26 @@
 
 import {zipOf} from "./archive.js";
 import {NotEditable} from "./backend.js";
-import {sayRefusal} from "./studio_words.js";
+import {proposalOf, saySentence} from "./studio_words.js";
 import {wordsOf} from "./options.js";
-import {say, sayCount} from "./words.js";
+import {say, sayCount, sayMessage} from "./words.js";
 
 /** @typedef {import("./backend.js").State} State */
 
-/** What the program says in a sentence of its own. */
+/** Why the program doesn't do what was asked. */
 export class Refusal extends Error {
-  /** @param {string} sentence @param {number} code @param {number[]} [faces] of the model, that are to be looked at */
-  constructor(sentence, code, faces = []) {
+  /** @param {string} sentence @param {number[]} [faces] of the model, that are to be looked at
+   * @param {{option: string, value: string} | null} [proposal] an option that would help */
+  constructor(sentence, faces = [], proposal = null) {
     super(sentence);
     this.name = "Refusal";
-    this.code = code;
     this.faces = faces;
+    this.proposal = proposal;
+  }
+
+  /** @param {import("./words.js").Message} message @param {number[]} [faces] */
+  static of(message, faces = []) {
+    return new Refusal(saySentence(message), faces, proposalOf(message));
   }
 }
 
@@ -150,7 +156,7 @@ export class WorkerBackend {
   async preview(edits) {
     await this.#remade();
     const {refused, instead} = await this.#call({call: "preview", line: lineOf(edits)});
-    return refused ? {ok: false, why: refused.why, faces: refused.faces, instead} : {ok: true};
+    return refused ? {ok: false, why: saySentence(refused.why), faces: refused.faces, instead} : {ok: true};
   }
 
   /** @param {string} format @returns {Promise<Uint8Array>} */
@@ -216,7 +222,7 @@ export class WorkerBackend {
     await this.#remade();
     const result = await this.#call(message);
     if (result.refused) {
-      throw new Refusal(sayRefusal(result.refused.why), 3, result.refused.faces);
+      throw Refusal.of(result.refused.why, result.refused.faces);
     }
     const project = /** @type {Project} */ (this.project);
     return this.#state({...project, ...after(project)}, result);
@@ -253,7 +259,7 @@ export class WorkerBackend {
       worker.onerror = (event) => {
         event.preventDefault();
         if (worker === this.worker) {
-          this.#end(new Refusal(say("stopped", {why: event.message}), 1));
+          this.#end(new Refusal(say("stopped", {why: event.message})));
         }
       };
       this.usable = false;
@@ -272,15 +278,15 @@ export class WorkerBackend {
     if (data.stage !== undefined) {
       this.progressListeners.forEach((listener) => listener(data.stage, data.share));
     } else if (data.note !== undefined) {
-      const note = {text: data.note};
+      const note = {text: sayMessage(data.note)};
       this.notes.push(note);
       this.noteListeners.forEach((listener) => listener(note));
     } else if (data.broken !== undefined) {
-      this.#end(new Refusal(/memory|stack|call size/i.test(data.broken) ? say("too_large") : say("stopped", {why: data.broken}), 4));
+      this.#end(new Refusal(/memory|stack|call size/i.test(data.broken) ? say("too_large") : say("stopped", {why: data.broken})));
     } else {
       const call = this.calls.get(data.id);
       this.calls.delete(data.id);
-      data.error ? call?.reject(new Refusal(data.error.sentence, data.error.code)) : call?.resolve(data);
+      data.error ? call?.reject(Refusal.of(data.error.message)) : call?.resolve(data);
     }
   }
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "cli/files/request_files.hpp"
+#include "cli/files/input_files.hpp"
 #include "export/export.hpp"
 #include "job/options.hpp"
 #include "segment/segment.hpp"
@@ -34,7 +34,7 @@ struct AskedSize {
 };
 
 /// ridgecraft MODEL
-struct PaperJob {
+struct MakeJob {
   CommonOptions common;
   std::string model;
   std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
@@ -147,7 +147,7 @@ struct PrintJob {
   std::string text;
 };
 
-using Job = std::variant<PaperJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
+using Job = std::variant<MakeJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
                          VerifyJob, StudioJob, FormatsJob, PrintJob>;
 
 }  // namespace ridgecraft::cli

@@ -32,7 +32,7 @@ std::string whole_man_page() {
   for (const auto& [name, build] : verbs) {
     manuals.push_back(manual_of(build));
   }
-  return man_page(manual_of(build_paper), manuals, program_and_version());
+  return man_page(manual_of(build_make), manuals, program_and_version());
 }
 
 /// "--size LENGTH" of the manual of a verb that has this option; empty where it hasn't.
@@ -77,7 +77,7 @@ Job print_asked(const Arguments& arguments) {
   const std::string verb = arguments.size() > 1 && arguments[0] == "help" ? arguments[1] : "";
   if (verb.empty() || verb.starts_with('-')) {
     const Arguments asked{"--" + arguments[0]};
-    return build_paper(&asked, nullptr);
+    return build_make(&asked, nullptr);
   }
   const Builder build = builder_of(verb);
   if (build == nullptr) {
@@ -108,7 +108,7 @@ void refuse_mistaken_verb(const Arguments& arguments) {
 std::string verbs_with(const std::string& option) {
   std::vector<std::string> names;
   std::string only;
-  if (const std::string term = term_of(option, manual_of(build_paper)); !term.empty()) {
+  if (const std::string term = term_of(option, manual_of(build_make)); !term.empty()) {
     names.emplace_back("the main job");
     only = ": ridgecraft MODEL " + term;
   }
@@ -137,7 +137,7 @@ Job built(Builder build, const Arguments& arguments) {
 Job parse_arguments(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
     refuse(
-        "name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help tells the rest");
+        "name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help says the rest");
   }
   const std::string& first = arguments.front();
   if (const Builder build = builder_of(first); build != nullptr) {
@@ -150,7 +150,7 @@ Job parse_arguments(const std::vector<std::string>& arguments) {
   if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
     refuse_mistaken_verb(arguments);
   }
-  Job job = built(build_paper, arguments);
+  Job job = built(build_make, arguments);
   if (const auto* print = std::get_if<PrintJob>(&job); print != nullptr && print->text == man_page_wanted) {
     return PrintJob{whole_man_page()};
   }

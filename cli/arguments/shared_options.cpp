@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <thread>
 
-#include <fmt/format.h>
-
 #include "base/option_values.hpp"
 #include "base/text.hpp"
 #include "mesh/model/soup.hpp"
@@ -81,9 +79,8 @@ AskedSize size_of(const job::AskedOptions& asked) {
 
 EdgeArguments edges_of(const job::AskedOptions& asked, const prepare::SimplifyOptions& simplify) {
   if ((asked.given("cuts") || asked.given("keep")) && simplify.mode == prepare::Simplification::count) {
-    refuse(fmt::format(
-        "{} names edges of the model as it is, and --faces {} would leave others: give one of the two",
-        asked.given("cuts") ? "--cuts" : "--keep", simplify.faces));
+    refuse(Message("edges_and_faces", {{"option", asked.called(asked.given("cuts") ? "cuts" : "keep")},
+                                       option_value("faces", "faces", std::to_string(simplify.faces))}));
   }
   return {asked.text("cuts"), asked.text("keep"), asked.text("from")};
 }

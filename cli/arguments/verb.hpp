@@ -1,20 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One verb of the program: its options, the texts around them, and how they are parsed. Hides CLI11, which is
-// slow to compile.
+// The manual as data: --help and the man page are two renderings of one text.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
-#include "cli/arguments/manual.hpp"
 #include "cli/arguments/options.hpp"
 #include "job/asked_options.hpp"
 
 namespace ridgecraft::cli {
+
+struct ManualEntry {
+  std::string term;  ///< "--size LENGTH"
+  std::string text;  ///< one or two sentences
+};
+
+struct ManualSection {
+  std::string title;  ///< "Size"
+  std::vector<ManualEntry> entries;
+};
+
+struct Manual {
+  std::string name;     ///< "ridgecraft" or "ridgecraft segment"
+  std::string purpose;  ///< one line
+  std::vector<std::string> usage;
+  std::vector<ManualEntry> examples;  ///< command, what it does
+  std::vector<ManualSection> sections;
+};
+
+/// What --help prints, at most 100 columns wide.
+[[nodiscard]] std::string help_text(const Manual& manual);
+
+/// A man page (section 1) of the program and its verbs.
+[[nodiscard]] std::string man_page(const Manual& program, const std::vector<Manual>& verbs,
+                                   std::string_view version);
+
+// One verb of the program: its options, the texts around them, and how they are parsed. Hides CLI11, which is
+// slow to compile.
 
 using Arguments = std::vector<std::string>;
 

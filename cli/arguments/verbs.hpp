@@ -2,14 +2,13 @@
 // The verbs: each has its options and texts in a file verb_NAME.cpp (those of solid/ share one).
 #pragma once
 
-#include "cli/arguments/manual.hpp"
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/verb.hpp"
 
 namespace ridgecraft::cli {
 
 /// Each parses the arguments into a job, or, without arguments, fills in the manual.
-[[nodiscard]] Job build_paper(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_make(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_info(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_segment(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_unfold(const Arguments* arguments, Manual* manual);
@@ -21,7 +20,7 @@ namespace ridgecraft::cli {
 [[nodiscard]] Job build_studio(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
 
-/// What build_paper returns for --man-page: the text is the caller's to make, from all manuals.
+/// What build_make returns for --man-page: the text is the caller's to make, from all manuals.
 inline constexpr const char* man_page_wanted = "man";
 
 }  // namespace ridgecraft::cli

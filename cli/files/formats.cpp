@@ -20,7 +20,7 @@ constexpr std::array read_rows{
     Row{".ply", "PLY, ASCII and binary of both byte orders"},
     Row{".off", "OFF and its variants, ASCII"},
     Row{".glb", "glTF 2 in one file, with colours and pictures"},
-    Row{".gltf", "glTF 2 as text, with the files beside it"},
+    Row{".gltf", "glTF 2 as text, with the files next to it"},
     Row{".3mf", "3MF, with colours and pictures"},
     Row{".pdo", "Pepakura Designer 2 to 5, with colours and pictures (its nets: --from)"},
     Row{".dae", "COLLADA, where ridgecraft-import is installed (it reads by Assimp)"},
@@ -59,7 +59,7 @@ constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
                                   Row{".seg", "part numbers (segment --labels; any suffix)"},
                                   Row{".json", "how parts join to fewer (segment --hierarchy; any suffix)"},
                                   Row{".obj", "an object per hull (hulls); meshes (cage, shell, deform)"},
-                                  Row{".urdf", "a robot description with its hulls beside it (hulls)"}};
+                                  Row{".urdf", "a robot description with its hulls next to it (hulls)"}};
 
 const PaperRow& row(Format format) {
   return *std::find_if(paper_formats.begin(), paper_formats.end(),

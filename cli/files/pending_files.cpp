@@ -133,17 +133,6 @@ void remove_left_parts(const fs::path& folder) {
 
 }  // namespace
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(number_, other.number_);
-  return *this;
-}
-
-Descriptor::~Descriptor() {
-  if (is_open()) {
-    ::close(number_);
-  }
-}
-
 void PendingFiles::add(const fs::path& target, std::string_view bytes) {
   const fs::path folder = folder_of(target);
   const auto known = folders_.find(folder);

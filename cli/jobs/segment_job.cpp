@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/files/part_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"

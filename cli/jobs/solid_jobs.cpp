@@ -15,7 +15,7 @@
 #include "base/text.hpp"
 #include "base/version.hpp"
 #include "cli/files/formats.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/files/part_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"
@@ -272,8 +272,8 @@ SolidResult make_deformed(const DeformJob& job, const Context& context, PendingF
     std::vector<Vec3> points(result.model.surface.points().begin(), result.model.surface.points().end());
     mesh::to_file_numbers(points, result.model.file_scale);  // as those of the cages are
     if (const std::size_t outside = solid::count_outside(points, before, context); outside > 0) {
-      result.notes.push_back(fmt::format("{} of {} lie outside {}, where they follow it less well", outside,
-                                         counted(points.size(), "point"), job.cage));
+      result.notes.push_back(
+          Message("points_outside", {{"n", outside}, {"all", points.size()}, {"file", job.cage}}));
     }
     solid::Body body;
     body.points = solid::deform(points, before, after, context);

@@ -17,7 +17,7 @@ struct SolidResult {
   mesh::Model model;
   std::size_t parts = 0;            ///< 0 where nothing was segmented
   std::vector<solid::Body> bodies;  ///< what was written
-  std::vector<std::string> notes;
+  std::vector<Message> notes;
   std::vector<std::string> files;
   std::vector<std::string> file_notes;  ///< PendingFiles::commit
   job::StageClock clock;

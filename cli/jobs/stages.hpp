@@ -9,7 +9,7 @@
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "cli/arguments/options.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/files/input_files.hpp"
 #include "mesh/model/model.hpp"
 #include "segment/hierarchy.hpp"
 #include "segment/segment.hpp"
@@ -29,9 +29,10 @@ auto about(const std::string& model, const Work& work) {
     if (!about_model || !error.about().empty()) {
       throw;
     }
-    throw Error(error.kind(), name + ": " + error.what(), name);
+    throw Error(error.kind(), Message("of_model", {{"model", name}, {"what", std::vector{error.message()}}}),
+                name);
   } catch (const std::bad_alloc&) {
-    throw Error(ErrorKind::unusable_mesh, name + " needs more memory than this machine has", name);
+    throw Error(ErrorKind::unusable_mesh, Message("memory", {{"model", name}}), name);
   }
 }
 

@@ -15,7 +15,7 @@
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
 #include "export/view/camera.hpp"
-#include "job/verdict.hpp"
+#include "job/remark.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/selection/selection.hpp"
 
@@ -27,7 +27,7 @@ constexpr double seen_mm = 0.005;
 
 /// ": at 150 mm folds or faces would be too small" or another reason, where nobody asked for the size that
 /// it has.
-std::string why_size(const job::Paper& made) {
+std::string why_size(const job::Result& made) {
   switch (made.prepared.size_reason) {
     case prepare::SizeReason::folds:
       return ": at 150 mm folds or faces would be too small";
@@ -36,7 +36,7 @@ std::string why_size(const job::Paper& made) {
     case prepare::SizeReason::shape:
       return ": at 150 mm simplification would change its shape";
     case prepare::SizeReason::pages:
-      return fmt::format(": at 150 mm it would take more than {:g} pages", made.options.size.most_pages);
+      return fmt::format(": at 150 mm it would take more than {:g} pages", made.used.size.most_pages);
     case prepare::SizeReason::none:
       break;
   }
@@ -49,7 +49,7 @@ std::string joined(const Clauses& clauses, const std::string& if_none) {
   return clauses.empty() ? if_none : fmt::format("{}", fmt::join(clauses, "; "));
 }
 
-std::string paper_line(const PaperJob& job, const job::Paper& made, const GlueFigures& glue) {
+std::string paper_line(const MakeJob& job, const job::Result& made, const GlueFigures& glue) {
   const std::size_t lists = made.drawn.list_pages;
   return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
@@ -62,15 +62,15 @@ std::string counted_bodies(std::size_t count) {
 }
 
 /// Whether a model that is too fine was left as it is because edges are named, or marked in its file.
-bool is_kept_for_edges(const PaperJob& job, const job::Paper& made) {
+bool is_kept_for_edges(const MakeJob& job, const job::Result& made) {
   return made.prepared.simplified.still_too_fine &&
          job.options.simplify.mode == prepare::Simplification::automatic &&
-         made.options.simplify.mode == prepare::Simplification::keep;
+         made.used.simplify.mode == prepare::Simplification::keep;
 }
 
 /// "12 edges cut and 3 folded as asked"; empty where none were named. Pages by materials or objects cut
 /// edges, too, that nobody has named: nothing is told then.
-std::string edges_as_asked(const job::Paper& made) {
+std::string edges_as_asked(const job::Result& made) {
   if ((!made.options.edges.cut && !made.options.edges.keep) || made.options.page_by != job::PageBy::any) {
     return {};
   }
@@ -92,7 +92,7 @@ std::string edges_as_asked(const job::Paper& made) {
                       : std::string();
 }
 
-std::string model_line(const PaperJob& job, const job::Paper& made) {
+std::string model_line(const MakeJob& job, const job::Result& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   Clauses clauses;
   if (is_kept_for_edges(job, made)) {
@@ -119,7 +119,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
                       " (--keep-bodies leaves them apart)");
   }
   if (skin.unseen > 0) {
-    clauses.push_back(counted_bodies(skin.unseen) + " that nobody sees left out");
+    clauses.push_back(counted_bodies(skin.unseen) + " that can't be seen left out");
   }
   if (const std::size_t glued = made.drawn.bodies.size() - export_::bodies_apart(made.drawn.bodies);
       glued > 0) {
@@ -130,7 +130,7 @@ std::string model_line(const PaperJob& job, const job::Paper& made) {
     clauses.push_back(fmt::format("simplified from {} to {} triangles, moved by at most {:.2f} mm",
                                   report.faces_before, report.faces_after, report.deviation_mm));
   }
-  const prepare::SimplifyOptions& asked = made.options.simplify;
+  const prepare::SimplifyOptions& asked = made.used.simplify;
   if (asked.mode == prepare::Simplification::count && report.faces_after > asked.faces) {
     clauses.push_back(
         fmt::format("{} triangles rather than {}, as its shape needs them", report.faces_after, asked.faces));
@@ -166,7 +166,7 @@ void add_glue(const GlueFigures& glue, Clauses& clauses) {
 
 /// Where numbers stand that have no room at their edges. Files for machines have no lists, some of them no
 /// numbers either.
-std::string numbers_without_room(const PaperJob& job, const PaperResult& result) {
+std::string numbers_without_room(const MakeJob& job, const MakeResult& result) {
   const std::size_t lost = result.made.drawn.labels_listed.size();
   if (lost == 0) {
     return {};
@@ -185,13 +185,12 @@ std::string numbers_without_room(const PaperJob& job, const PaperResult& result)
              : "";
 }
 
-std::string hard_line(const PaperJob& job, const PaperResult& result, const GlueFigures& glue) {
-  const job::Paper& made = result.made;
+std::string hard_line(const MakeJob& job, const MakeResult& result, const GlueFigures& glue) {
+  const job::Result& made = result.made;
   Clauses clauses;
-  if (std::string why = job::verdict(made.prepared, made.options.simplify,
-                                     job::larger_size_is_sure(made.cleanup, made.skin));
-      !why.empty()) {
-    clauses.push_back(std::move(why));
+  if (const auto why = job::verdict(made.prepared, made.used.simplify,
+                                    job::larger_size_is_sure(made.cleanup, made.skin))) {
+    clauses.push_back(english(*why));
   }
   if (std::string why =
           where_it_differs(made.prepared.simplified.deviation_mm, made.prepared.model.surface.bounds());
@@ -242,17 +241,17 @@ std::string for_the_machine(const std::string& name, const export_::Preset& pres
   if (preset.paths.kerf_mm > 0.0) {
     text += fmt::format(" (it allows for {:g} mm of kerf: --kerf)", preset.paths.kerf_mm);
   }
-  return preset.svg ? text + "; 'ridgecraft formats --presets' tells what its colours mean" : text;
+  return preset.svg ? text + "; 'ridgecraft formats --presets' says what its colours mean" : text;
 }
 
 /// Whether more pieces with more tabs are worth a word.
-bool lacks_tabs(const job::Paper& made, const GlueFigures& glue) {
+bool lacks_tabs(const job::Result& made, const GlueFigures& glue) {
   return !made.options.tabs.split_pieces && !made.nets.tabs.empty() &&
          glue.without_tab_mm >= std::max(many_without_tab_mm, many_without_tab * glue.all_mm);
 }
 
-std::string next_line(const PaperJob& job, const PaperResult& result, const GlueFigures& glue) {
-  const job::Paper& made = result.made;
+std::string next_line(const MakeJob& job, const MakeResult& result, const GlueFigures& glue) {
+  const job::Result& made = result.made;
   Clauses clauses;
   std::vector<std::string> guides;
   bool cut = false;
@@ -288,13 +287,13 @@ std::string next_line(const PaperJob& job, const PaperResult& result, const Glue
     clauses.push_back(fmt::format("--without '{}' leaves {} of its {} bodies out", scattered->name,
                                   scattered->bodies, made.prepared.model.surface.component_count()));
   }
-  clauses.emplace_back("-v tells all figures");
+  clauses.emplace_back("-v shows all figures");
   return joined(clauses, {});
 }
 
 }  // namespace
 
-std::vector<PieceId> pieces_with_slivers(const job::Paper& made) {
+std::vector<PieceId> pieces_with_slivers(const job::Result& made) {
   const prepare::Prepared& prepared = made.prepared;
   std::set<PieceId> found;
   for (const PanelId p : ids<PanelId>(prepared.panels.count())) {
@@ -345,13 +344,13 @@ std::string proxies_text(const prepare::BlockProxies& plain) {
                    plain.count, plain.moved_mm);
 }
 
-std::string size_words(const job::Paper& made, const std::string& asked) {
+std::string size_words(const job::Result& made, const std::string& asked) {
   return made.prepared.size_reason == prepare::SizeReason::none
              ? asked
-             : fmt::format("--size {:.0f}mm{}", made.options.size.largest_extent_mm, why_size(made));
+             : fmt::format("--size {:.0f}mm{}", made.used.size.largest_extent_mm, why_size(made));
 }
 
-double size_saving_a_page(const job::Paper& made) {
+double size_saving_a_page(const job::Result& made) {
   return std::floor(made.share_saving_a_page.value_or(1.0) *
                     made.prepared.model.surface.bounds().largest_extent());
 }
@@ -373,8 +372,8 @@ std::string where_it_differs(double moved_mm, const Box3& bounds) {
   return {};
 }
 
-void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result) {
-  const job::Paper& made = result.made;
+void add_brief(Summary& summary, const MakeJob& job, const MakeResult& result) {
+  const job::Result& made = result.made;
   const GlueFigures glue = glue_figures(made.prepared.model.surface, made.nets, job.options.tabs);
   const Vec3 size = export_::standing_size(made.prepared.model.surface, export_::stance_of(made.up));
   summary.say(Line::brief, "size",

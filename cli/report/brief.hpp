@@ -7,22 +7,22 @@
 
 #include "base/vector.hpp"
 #include "cli/arguments/options.hpp"
-#include "cli/jobs/paper_job.hpp"
+#include "cli/jobs/make_job.hpp"
 #include "cli/report/figures.hpp"
 
 namespace ridgecraft::cli {
 
-/// The size at which these pieces would take a page less (job::Paper::share_saving_a_page), whole mm.
-[[nodiscard]] double size_saving_a_page(const job::Paper& made);
+/// The size at which these pieces would take a page less (job::Result::share_saving_a_page), whole mm.
+[[nodiscard]] double size_saving_a_page(const job::Result& made);
 
 /// "--size 150mm", or the size that was chosen and why: "--size 380mm: at 150 mm folds or faces would be too
 /// small".
-[[nodiscard]] std::string size_words(const job::Paper& made, const std::string& asked);
+[[nodiscard]] std::string size_words(const job::Result& made, const std::string& asked);
 
-void add_brief(Summary& summary, const PaperJob& job, const PaperResult& result);
+void add_brief(Summary& summary, const MakeJob& job, const MakeResult& result);
 
 /// Pieces with slivers (prepare::is_sliver).
-[[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Paper& made);
+[[nodiscard]] std::vector<PieceId> pieces_with_slivers(const job::Result& made);
 
 /// That simplification moved a model with these bounds (mm) so far that it is seen
 /// (prepare/prepared/prepared.hpp); empty where it isn't.

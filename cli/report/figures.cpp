@@ -88,7 +88,29 @@ std::string written_in_brief(const std::vector<std::string>& files) {
   return (folder.empty() ? "wrote " : "wrote into " + folder + ": ") + listed(words, "and") + "\n";
 }
 
+Value filling_of(const MessageValue& value) {
+  if (!value.option.empty()) {
+    return Value::Object{{"option", value.option}, {"value", value.value}};
+  }
+  if (value.items.empty()) {
+    return value.text;
+  }
+  Value list(Value::List{});
+  for (const Message& item : value.items) {
+    list.add(item.code == "plain" ? Value(english(item)) : value_of(item));
+  }
+  return list;
+}
+
 }  // namespace
+
+Value value_of(const Message& message) {
+  Value values(Value::Object{});
+  for (const MessageValue& value : message.values) {
+    values.set(value.name, filling_of(value));
+  }
+  return Value::Object{{"code", message.code}, {"values", std::move(values)}, {"text", english(message)}};
+}
 
 std::string metres(double mm) {
   return mm < 1000.0 ? fmt::format("{:.0f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
@@ -137,11 +159,13 @@ void Summary::add_repairs(const mesh::RepairReport& report) {
   add("repairs", std::move(list));
 }
 
-void Summary::add_notes(const std::vector<std::string>& notes) {
-  add("notes", list_of(notes));
-  for (const std::string& note : notes) {
-    say(Line::notes, "note", note);
+void Summary::add_notes(const std::vector<Message>& notes) {
+  Value list(Value::List{});
+  for (const Message& note : notes) {
+    list.add(value_of(note));
+    say(Line::notes, "note", english(note));
   }
+  add("notes", std::move(list));
 }
 
 void Summary::add_files(const std::vector<std::string>& files, bool silent) {

@@ -7,12 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "base/message.hpp"
 #include "cli/files/value.hpp"
 #include "job/stage_clock.hpp"
 #include "mesh/model/soup.hpp"
 #include "prepare/prepared/prepared.hpp"
 
 namespace ridgecraft::cli {
+
+/// {"code": ..., "values": {...}, "text": ...}: a value is a text, {"option", "value"} or a list of
+/// messages and texts.
+[[nodiscard]] Value value_of(const Message& message);
 
 /// "640 mm", "2.07 m"
 [[nodiscard]] std::string metres(double mm);
@@ -71,7 +76,7 @@ class Summary {
   // What the jobs have in common.
   void add_seconds(const job::StageSeconds& seconds);
   void add_repairs(const mesh::RepairReport& report);
-  void add_notes(const std::vector<std::string>& notes);
+  void add_notes(const std::vector<Message>& notes);
   /// `silent`: nothing is said where nothing was written.
   void add_files(const std::vector<std::string>& files, bool silent = false);
   /// A line at the end, behind all others and without a label, for people alone.

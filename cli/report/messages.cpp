@@ -37,47 +37,58 @@ double two_digits(double value) {
   return std::round(value / unit) * unit;
 }
 
-std::string text_of(const job::ManyPages& many) {
-  return fmt::format("this takes {}{:.0f} pages; --size {:.0f}mm would take about {:.0f}",
-                     many.counted ? "" : "about ", many.counted ? many.pages : two_digits(many.pages),
-                     two_digits(many.size_for_fewer), many.fewer_pages);
+std::string whole(double value) {
+  return fmt::format("{:.0f}", value);
 }
 
-std::string text_of(const job::ManyBodies& many) {
-  return fmt::format("this takes about {:.0f} pages or more, for {} separate bodies", two_digits(many.pages),
-                     many.bodies);
+MessageValue proposed_size(double mm) {
+  return option_value("try", "size", whole(mm) + "mm");
 }
 
-std::string text_of(const job::ShortFolds& folds) {
-  return fmt::format(
-      "half of the folds are shorter than {:.1f} mm, too short for fingers; --size {:.0f}mm makes half of "
-      "them {:g} mm and longer",
-      folds.median_mm, std::ceil(folds.size_for_easy), folds.easy_mm);
+MessageValue more_pages(std::string_view gap, double pages) {
+  return option_value(gap, "most-pages", whole(two_digits(most_pages_factor * pages)));
 }
 
-std::optional<std::string> refusal_of(const job::ManyPages& many, std::uint64_t most_pages) {
+Message message_of(const job::ManyPages& many) {
+  return Message(many.counted ? "many_pages_counted" : "many_pages",
+                 {{"pages", whole(many.counted ? many.pages : two_digits(many.pages))},
+                  proposed_size(two_digits(many.size_for_fewer)),
+                  {"fewer", whole(many.fewer_pages)}});
+}
+
+Message message_of(const job::ManyBodies& many) {
+  return Message("many_bodies", {{"pages", whole(two_digits(many.pages))}, {"bodies", many.bodies}});
+}
+
+Message message_of(const job::ShortFolds& folds) {
+  return Message("short_folds", {{"mm", fmt::format("{:.1f}", folds.median_mm)},
+                                 proposed_size(std::ceil(folds.size_for_easy)),
+                                 {"easy", fmt::format("{:g}", folds.easy_mm)}});
+}
+
+std::optional<Message> refusal_of(const job::ManyPages& many, std::uint64_t most_pages) {
   if (many.counted || many.pages <= static_cast<double>(most_pages)) {
     return std::nullopt;
   }
-  return fmt::format(
-      "at {} the model takes about {:.0f} pages, and more than {} aren't made unasked: --size {:.0f}mm takes "
-      "about {:.0f}, --most-pages {:.0f} goes on",
-      handy_size(many.size_mm), two_digits(many.pages), most_pages, two_digits(many.size_for_fewer),
-      many.fewer_pages, two_digits(most_pages_factor * many.pages));
+  return Message("too_many_pages", {{"size", handy_size(many.size_mm)},
+                                    {"pages", whole(two_digits(many.pages))},
+                                    {"most", most_pages},
+                                    proposed_size(two_digits(many.size_for_fewer)),
+                                    {"fewer", whole(many.fewer_pages)},
+                                    more_pages("go_on", many.pages)});
 }
 
-std::optional<std::string> refusal_of(const job::ManyBodies& many, std::uint64_t most_pages) {
+std::optional<Message> refusal_of(const job::ManyBodies& many, std::uint64_t most_pages) {
   if (many.pages <= static_cast<double>(most_pages)) {
     return std::nullopt;
   }
-  return fmt::format(
-      "the model has {} separate bodies, which take about {:.0f} pages at any size, and more than {} aren't "
-      "made unasked: --only NAME takes some of them, ridgecraft unfold makes their nets without pages, "
-      "--most-pages {:.0f} goes on",
-      many.bodies, two_digits(many.pages), most_pages, two_digits(most_pages_factor * many.pages));
+  return Message("too_many_bodies", {{"bodies", many.bodies},
+                                     {"pages", whole(two_digits(many.pages))},
+                                     {"most", most_pages},
+                                     more_pages("try", many.pages)});
 }
 
-std::optional<std::string> refusal_of(const job::ShortFolds& /*folds*/, std::uint64_t /*most_pages*/) {
+std::optional<Message> refusal_of(const job::ShortFolds& /*folds*/, std::uint64_t /*most_pages*/) {
   return std::nullopt;
 }
 
@@ -138,30 +149,30 @@ void Progress::clear() {
   }
 }
 
-std::string sentence(const job::Remark& remark) {
-  return std::visit([](const auto& told) { return text_of(told); }, remark);
+Message message(const job::Remark& remark) {
+  return std::visit([](const auto& figures) { return message_of(figures); }, remark);
 }
 
-std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages) {
-  return std::visit([&](const auto& told) { return refusal_of(told, most_pages); }, remark);
+std::optional<Message> too_many_pages(const job::Remark& remark, std::uint64_t most_pages) {
+  return std::visit([&](const auto& figures) { return refusal_of(figures, most_pages); }, remark);
 }
 
-std::optional<std::string> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {
+std::optional<Message> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {
   const double mm = size.largest_extent_mm;
   if (!asked.unit_assumed || mm >= tiny_mm) {
     return std::nullopt;
   }
-  return fmt::format("{} has no unit, so it means {:g} mm; --size {:g}cm makes a model ten times as large",
-                     asked.words, mm, mm);
+  const std::string number = fmt::format("{:g}", mm);
+  return Message("assumed_unit",
+                 {{"asked", asked.words}, {"mm", number}, option_value("try", "size", number + "cm")});
 }
 
-std::optional<std::string> narrow_margin_warning(const export_::Paper& paper) {
+std::optional<Message> narrow_margin_warning(const export_::Paper& paper) {
   if (paper.margin >= printer_margin_mm) {
     return std::nullopt;
   }
-  return fmt::format(
-      "most printers don't reach the outer {:g} mm of a sheet: a margin of {:g} mm is for cutting machines",
-      printer_margin_mm, paper.margin);
+  return Message("narrow_margin", {{"reach", fmt::format("{:g}", printer_margin_mm)},
+                                   {"mm", fmt::format("{:g}", paper.margin)}});
 }
 
 }  // namespace ridgecraft::cli

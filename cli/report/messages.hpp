@@ -55,19 +55,19 @@ class Progress {
   std::chrono::steady_clock::time_point last_{};
 };
 
-/// "this takes about 1200 pages; --size 14mm would take about 10". Expected pages are told in two digits,
-/// counted ones all.
-[[nodiscard]] std::string sentence(const job::Remark& remark);
+/// "this takes about 1200 pages; --size 14mm would take about 10". Expected pages have two digits, counted
+/// ones all.
+[[nodiscard]] Message message(const job::Remark& remark);
 
 /// What a model that is expected to take more pages than these, for its size or its bodies, is refused with;
 /// nothing for others.
-[[nodiscard]] std::optional<std::string> too_many_pages(const job::Remark& remark, std::uint64_t most_pages);
+[[nodiscard]] std::optional<Message> too_many_pages(const job::Remark& remark, std::uint64_t most_pages);
 
 /// Where a size without a unit makes a tiny model: whoever wrote it may have meant centimetres.
-[[nodiscard]] std::optional<std::string> assumed_unit_warning(const AskedSize& asked,
-                                                              const prepare::SizeOptions& size);
+[[nodiscard]] std::optional<Message> assumed_unit_warning(const AskedSize& asked,
+                                                          const prepare::SizeOptions& size);
 
 /// Where the margin is narrower than most printers need.
-[[nodiscard]] std::optional<std::string> narrow_margin_warning(const export_::Paper& paper);
+[[nodiscard]] std::optional<Message> narrow_margin_warning(const export_::Paper& paper);
 
 }  // namespace ridgecraft::cli

@@ -17,45 +17,16 @@
 namespace ridgecraft::cli {
 namespace {
 
-/// unfold::sentence(reason), with the option that the user can change it by.
-std::string sentence_of_one(unfold::PieceReason reason, std::size_t max_faces) {
-  using unfold::PieceReason;
-  if (reason == PieceReason::faces) {
-    return fmt::format(
-        "its part has more than {} flat faces, the most for one piece (--max-faces, --pieces few)",
-        max_faces);
+/// Why these pieces are pieces of their own.
+Message message_of(unfold::PieceReason reason, std::size_t pieces, std::size_t max_faces) {
+  std::vector<MessageValue> values{{"n", pieces}};
+  if (reason == unfold::PieceReason::faces) {
+    values.emplace_back("most", max_faces);
+    values.push_back(option_value("option", "max-faces", ""));
+  } else if (reason == unfold::PieceReason::folding) {
+    values.push_back(option_value("option", "fold-linear", ""));
   }
-  return std::string(unfold::sentence(reason)) + (reason == PieceReason::folding ? " (--fold-linear)" : "");
-}
-
-/// The same for several pieces.
-std::string sentence_of_several(unfold::PieceReason reason, std::size_t max_faces) {
-  using unfold::PieceReason;
-  switch (reason) {
-    case PieceReason::page:
-      return "their parts don't fit the paper in one piece";
-    case PieceReason::overlap:
-      return "no nets of their parts were found that don't overlap themselves";
-    case PieceReason::no_net:
-      return "their parts have no nets that don't overlap themselves (proven)";
-    case PieceReason::tabs:
-      return "their parts have no room for tabs in one piece";
-    case PieceReason::faces:
-      return fmt::format(
-          "their parts have more than {} flat faces, the most for one piece (--max-faces, --pieces few)",
-          max_faces);
-    case PieceReason::component:
-      return "their parts aren't connected";
-    case PieceReason::folding:
-      return "their parts don't fold up with all creases together in one piece (--fold-linear)";
-    case PieceReason::shape:
-      return "one piece with their neighbours would be hard to cut out or to fold";
-    case PieceReason::part:
-    case PieceReason::time:
-    case PieceReason::request:
-      return sentence_of_one(reason, max_faces);
-  }
-  return "";
+  return Message(unfold::message_code(reason), std::move(values));
 }
 
 /// "3 too short, 1 no room": why joins have no tab.
@@ -69,7 +40,8 @@ std::string without_tab_text(const unfold::Nets& nets) {
   std::string text;
   for (const auto& [reason, count] : reasons) {
     const std::string number = reasons.size() == 1 ? "" : fmt::format("{}: ", count);
-    text += fmt::format("{}{}{}", text.empty() ? "" : "; ", number, unfold::sentence(reason));
+    text += fmt::format("{}{}{}", text.empty() ? "" : "; ", number,
+                        english(Message("no_tab_" + std::string(unfold::name(reason)))));
   }
   return text;
 }
@@ -213,15 +185,13 @@ void add_extra_pieces(Summary& summary, const unfold::Nets& nets, std::size_t ma
       extra[piece.reason].push_back(p);
       list.add(Value::Object{{"name", piece.name},
                              {"reason", unfold::name(piece.reason)},
-                             {"why", sentence_of_one(piece.reason, max_faces)}});
+                             {"why", value_of(message_of(piece.reason, 1, max_faces))}});
     }
   }
   summary.add("extra_pieces", std::move(list));
   for (const auto& [reason, pieces] : extra) {
     summary.say(Line::pieces, pieces.size() == 1 ? "piece" : "pieces",
-                piece_names(nets, pieces) + ": " +
-                    (pieces.size() == 1 ? sentence_of_one(reason, max_faces)
-                                        : sentence_of_several(reason, max_faces)));
+                piece_names(nets, pieces) + ": " + english(message_of(reason, pieces.size(), max_faces)));
   }
 }
 
@@ -323,7 +293,7 @@ void add_numbers(Summary& summary, const export_::DrawReport& drawn) {
   const std::size_t lost = drawn.labels_left_out.size();
   std::vector<std::string> facts;
   if (drawn.labels_outside > 0) {
-    facts.push_back(fmt::format("{} beside their piece", drawn.labels_outside));
+    facts.push_back(fmt::format("{} next to their piece", drawn.labels_outside));
   }
   if (listed > 0) {
     facts.push_back(fmt::format("{} in lists{}", listed, numbers_text(drawn.labels_listed)));
@@ -370,7 +340,7 @@ bool has_colours(const mesh::Model& model) {
   });
 }
 
-void say_colours(Summary& summary, const job::Paper& made) {
+void say_colours(Summary& summary, const job::Result& made) {
   if (made.prepared.look) {
     summary.say(Line::colours, "colours",
                 "of the model are printed; --ink pale saves ink, --ink lines leaves them out");

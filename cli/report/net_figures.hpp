@@ -67,7 +67,7 @@ void add_folding(Summary& summary, const unfold::Nets& nets);
 /// Whether the model has colours other than white, or pictures.
 [[nodiscard]] bool has_colours(const mesh::Model& model);
 /// Says whether pages show them, where there are any.
-void say_colours(Summary& summary, const job::Paper& made);
+void say_colours(Summary& summary, const job::Result& made);
 
 /// Which pieces make each separate body, and beside which piece it belongs.
 void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<export_::Body>& bodies);

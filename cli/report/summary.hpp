@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
-#include "cli/jobs/paper_job.hpp"
+#include "cli/jobs/make_job.hpp"
 #include "cli/jobs/segment_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
 #include "cli/report/figures.hpp"
@@ -17,8 +17,8 @@
 
 namespace ridgecraft::cli {
 
-[[nodiscard]] Summary summary(const PaperJob& job, const PaperResult& result);
-[[nodiscard]] Summary summary(const UnfoldJob& job, const PaperResult& result);
+[[nodiscard]] Summary summary(const MakeJob& job, const MakeResult& result);
+[[nodiscard]] Summary summary(const UnfoldJob& job, const MakeResult& result);
 [[nodiscard]] Summary summary(const SegmentJob& job, const SegmentResult& result);
 [[nodiscard]] Summary summary(const InfoJob& job, const mesh::Model& model, const prepare::Panels& panels);
 /// hulls, cage, shell and deform; `model` is the file as the user named it.
@@ -32,11 +32,11 @@ namespace ridgecraft::cli {
 [[nodiscard]] std::string formats_text(bool presets = false);
 [[nodiscard]] std::string formats_json();
 
-/// {"error": {"code": 3, "message": "..."}}: what --json prints where a job fails.
-[[nodiscard]] std::string error_json(ExitCode code, const std::string& sentence);
+/// {"error": {"code": 3, "message": "...", "reason": {...}}}: what --json prints where a job fails.
+[[nodiscard]] std::string error_json(ExitCode code, const Message& message);
 
 /// One line per repair and note, for standard error: "24 points at equal places were joined". `united`: what
 /// ran through each other may be one skin now.
-[[nodiscard]] std::vector<std::string> repair_lines(const mesh::RepairReport& report, bool united = false);
+[[nodiscard]] std::vector<Message> repair_lines(const mesh::RepairReport& report, bool united = false);
 
 }  // namespace ridgecraft::cli

@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "cli/files/model_input.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/report/brief.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
 #include "cli/report/summary.hpp"
-#include "job/verdict.hpp"
+#include "job/remark.hpp"
 #include "prepare/prepare.hpp"
 
 namespace ridgecraft::cli {
@@ -23,7 +23,7 @@ namespace {
 /// A surface that moved by more than this share of the largest extent has lost some of its shape.
 constexpr double far_moved = 0.04;
 
-void add_size(Summary& summary, const job::Paper& made, const std::string& asked) {
+void add_size(Summary& summary, const job::Result& made, const std::string& asked) {
   const Vec3 size = made.prepared.model.surface.bounds().size();
   const mesh::FileFrame& frame = made.prepared.model.frame;
   summary.add("file_unit_mm", Value(frame.mm_per_unit), "mm");
@@ -40,7 +40,7 @@ std::string bodies_text(std::size_t count) {
 }
 
 /// "103 bodies into 2; 31 % of their area was hidden, with 1240 whole faces"; nothing where none were united.
-void add_skin(Summary& summary, const job::Paper& made) {
+void add_skin(Summary& summary, const job::Result& made) {
   const prepare::SkinReport& skin = made.skin;
   summary.add("united", Value::Object{{"bodies_before", skin.united},
                                       {"bodies_after", skin.united_into},
@@ -112,7 +112,7 @@ Value simplified_value(const prepare::SimplifyReport& report) {
                        {"still_too_fine", report.still_too_fine}};
 }
 
-void say_simplified(Summary& summary, const job::Paper& made) {
+void say_simplified(Summary& summary, const job::Result& made) {
   const prepare::SimplifyReport& report = made.prepared.simplified;
   if (report.faces_after < report.faces_before && report.deviation_mm > 0.0) {
     summary.say(Line::simplified, "simplified",
@@ -142,16 +142,15 @@ void say_simplified(Summary& summary, const job::Paper& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const std::string why = job::verdict(made.prepared, made.options.simplify,
-                                           job::larger_size_is_sure(made.cleanup, made.skin));
-      !why.empty()) {
+  if (const auto why = job::verdict(made.prepared, made.used.simplify,
+                                    job::larger_size_is_sure(made.cleanup, made.skin))) {
     const std::optional<double>& size = made.prepared.smallest_size_mm;
     summary.say(Line::simplified, "too fine",
-                why + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
+                english(*why) + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
   }
 }
 
-void add_page_saving(Summary& summary, const job::Paper& made) {
+void add_page_saving(Summary& summary, const job::Result& made) {
   if (!made.share_saving_a_page) {
     summary.add("size_saving_a_page_mm", {}, "mm");
     return;
@@ -164,7 +163,7 @@ void add_page_saving(Summary& summary, const job::Paper& made) {
               "mm");
 }
 
-void add_slivers(Summary& summary, const job::Paper& made) {
+void add_slivers(Summary& summary, const job::Result& made) {
   summary.add(
       "slivers", made.slivers, Line::slivers, "slivers",
       made.slivers == 0
@@ -176,27 +175,22 @@ void add_slivers(Summary& summary, const job::Paper& made) {
 }
 
 /// With the option where a limit that the user set is the cause.
-std::vector<std::string> notes_of(const job::Paper& made) {
-  std::vector<std::string> notes;
+std::vector<Message> notes_of(const job::Result& made) {
+  std::vector<Message> notes;
   if (made.parts_given_up) {
-    notes.emplace_back("--time-limit was too short to find parts: each component is one part");
+    notes.emplace_back("no_time_for_parts");
   }
   notes.insert(notes.end(), made.nets.notes.begin(), made.nets.notes.end());
   if (made.thickened.clamped > 0) {
-    notes.push_back(
-        fmt::format("the sheet is too thick for {}, where a face would have lost a third of its height",
-                    counted(made.thickened.clamped, "edge")));
+    notes.push_back(Message("too_thick_for_edges", {{"n", made.thickened.clamped}}));
   }
   if (made.thickened.kept > 0) {
-    notes.push_back(fmt::format("{} would have lain on {} with room for the thickness, so {} cut as of paper",
-                                counted(made.thickened.kept, "piece"),
-                                made.thickened.kept == 1 ? "itself" : "themselves",
-                                made.thickened.kept == 1 ? "it is" : "they are"));
+    notes.push_back(Message("cut_as_of_paper", {{"n", made.thickened.kept}}));
   }
   return notes;
 }
 
-void add_guide(Summary& summary, const job::Paper& made) {
+void add_guide(Summary& summary, const job::Result& made) {
   const export_::Guide& guide = made.guide;
   if (guide.pages.empty()) {
     summary.add("guide", {});
@@ -234,7 +228,7 @@ void add_page_names(Summary& summary, const export_::Pages& pages) {
 }
 
 /// Where pieces of separate bodies are glued to each other.
-void add_glue_outlines(Summary& summary, const job::Paper& made) {
+void add_glue_outlines(Summary& summary, const job::Result& made) {
   Value spots(Value::List{});
   for (const export_::GlueOutline& outline : made.drawn.glue_outlines) {
     spots.add(Value::Object{{"piece", made.nets.pieces[outline.piece].name},
@@ -249,8 +243,8 @@ std::string lines_text(const export_::DrawReport& drawn) {
 
 }  // namespace
 
-Summary summary(const PaperJob& job, const PaperResult& result) {
-  const job::Paper& made = result.made;
+Summary summary(const MakeJob& job, const MakeResult& result) {
+  const job::Result& made = result.made;
   const mesh::Model& model = made.prepared.model;
   const unfold::Nets& nets = made.nets;
   const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
@@ -308,8 +302,8 @@ Summary summary(const PaperJob& job, const PaperResult& result) {
   return summary;
 }
 
-Summary summary(const UnfoldJob& job, const PaperResult& result) {
-  const job::Paper& made = result.made;
+Summary summary(const UnfoldJob& job, const MakeResult& result) {
+  const job::Result& made = result.made;
   const mesh::Model& model = made.prepared.model;
   const unfold::Nets& nets = made.nets;
   Summary summary(fmt::format("{}: {}, {}", shown_name(job.model),

@@ -19,7 +19,7 @@ int main(int /*count*/, char** arguments) try {
   options.paper = export_::parse_paper("A4");
   options.pieces = unfold::rules_of(unfold::PieceMode::parts);
   const mesh::Model model = mesh::read(arguments[1], {}, context);
-  const job::Paper made = job::paper(model, options, context);
+  const job::Result made = job::run(model, options, context);
   std::ofstream(arguments[2], std::ios::binary)
       << export_::write_pdf(made.drawings, {"my program 1.0", model.name, model.digest});
   std::cout << made.nets.pieces.size() << " pieces on " << made.pages.count << " pages\n";

@@ -200,7 +200,7 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
       json.number(glue.tab_number[join.tab]);
     } else {
       json.raw("null,\"why\":");
-      json.string(unfold::sentence(join.no_tab));
+      json.string(unfold::name(join.no_tab));
     }
     json.raw("}");
   });

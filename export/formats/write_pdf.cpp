@@ -224,11 +224,10 @@ class PdfAssembler {
 
 void check_pdf_size(Vec2 page) {
   if (std::max(page.x, page.y) > longest_pdf_side_mm) {
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("paper of {:g} x {:g} mm is too long for PDF, whose pages end at {:g} mm; SVG has "
-                    "no such limit (-o NAME.svg)",
-                    page.x, page.y, longest_pdf_side_mm));
+    throw Error(ErrorKind::usage,
+                Message("paper_too_long_for_pdf", {{"width", fmt::format("{:g}", page.x)},
+                                                   {"height", fmt::format("{:g}", page.y)},
+                                                   {"most", fmt::format("{:g}", longest_pdf_side_mm)}}));
   }
 }
 

@@ -90,19 +90,24 @@ std::optional<Vec2> parse_numbers(std::string_view text) {
   return Vec2{width->number * of_width, height->number * of_height};
 }
 
+std::string as_text(double value) {
+  return fmt::format("{}", value);
+}
+
 void check_side(std::string_view text, double side) {
   if (!(side > 0.0) || !std::isfinite(side)) {
-    throw Error(ErrorKind::usage, fmt::format("paper '{}' has a side of {} mm", text, side));
+    throw Error(ErrorKind::usage,
+                Message("paper_side", {{"text", std::string(text)}, {"mm", as_text(side)}}));
   }
   if (side < smallest_side_mm) {
-    throw Error(ErrorKind::usage,
-                fmt::format("paper '{}' is too small: one side has {} mm, at least {} mm are needed", text,
-                            side, smallest_side_mm));
+    throw Error(ErrorKind::usage, Message("paper_small", {{"text", std::string(text)},
+                                                          {"mm", as_text(side)},
+                                                          {"least", as_text(smallest_side_mm)}}));
   }
   if (side > largest_side_mm) {
-    throw Error(ErrorKind::usage,
-                fmt::format("paper '{}' is too large: one side has {} m, {} m are the limit", text,
-                            side / 1000.0, largest_side_mm / 1000.0));
+    throw Error(ErrorKind::usage, Message("paper_large", {{"text", std::string(text)},
+                                                          {"m", as_text(side / 1000.0)},
+                                                          {"most", as_text(largest_side_mm / 1000.0)}}));
   }
 }
 
@@ -111,12 +116,10 @@ void check_side(std::string_view text, double side) {
   const std::string nearest = nearest_word(name, paper_names());
   const bool other_number = name.size() <= 3 && nearest.size() == name.size();
   if (!nearest.empty() && !other_number) {
-    throw Error(ErrorKind::usage, fmt::format("unknown paper '{}', did you mean '{}'?", text, nearest));
+    throw Error(ErrorKind::usage,
+                Message("paper_nearest", {{"text", std::string(text)}, {"nearest", nearest}}));
   }
-  throw Error(ErrorKind::usage, fmt::format("unknown paper '{}': A0 to A7, B0 to B6, Letter, Legal and "
-                                            "others have names; give the size of any other "
-                                            "sheet, such as 210x297mm",
-                                            text));
+  throw Error(ErrorKind::usage, Message("paper_unknown", {{"text", std::string(text)}}));
 }
 
 }  // namespace
@@ -161,17 +164,17 @@ std::vector<std::string> paper_names() {
 
 void check_paper(const Paper& paper) {
   if (!(paper.margin >= 0.0) || !std::isfinite(paper.margin)) {
-    throw Error(ErrorKind::usage, fmt::format("the page margin can't be {} mm", paper.margin));
+    throw Error(ErrorKind::usage, Message("paper_margin", {{"mm", as_text(paper.margin)}}));
   }
   if (!(paper.gap >= 0.0) || !std::isfinite(paper.gap)) {
-    throw Error(ErrorKind::usage, fmt::format("the gap between pieces can't be {} mm", paper.gap));
+    throw Error(ErrorKind::usage, Message("paper_gap", {{"mm", as_text(paper.gap)}}));
   }
   const Vec2 area = piece_area(paper);
   if (!(std::min(area.x, area.y) >= smallest_piece_area_mm) || !std::isfinite(area.x) ||
       !std::isfinite(area.y)) {
-    throw Error(ErrorKind::usage,
-                fmt::format("paper of {:.4g} x {:.4g} mm with margins of {:.4g} mm leaves no room for pieces",
-                            paper.size.x, paper.size.y, paper.margin));
+    throw Error(ErrorKind::usage, Message("paper_full", {{"width", fmt::format("{:.4g}", paper.size.x)},
+                                                         {"height", fmt::format("{:.4g}", paper.size.y)},
+                                                         {"margin", fmt::format("{:.4g}", paper.margin)}}));
   }
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.hpp"
 #include "base/vector.hpp"
 
 namespace ridgecraft::mesh {
@@ -72,7 +73,7 @@ struct FileFrame {
 
 // What was changed or noticed on the way from a file to a surface, counted kind by kind.
 
-/// Closed list; name() gives the word that JSON prints, sentence() what a person reads.
+/// Closed list; name() gives the word that JSON prints.
 enum class RepairKind {
   // while reading
   content_is_other_format,   ///< the suffix says one format, the content another; content wins
@@ -111,8 +112,6 @@ enum class RepairKind {
 };
 
 [[nodiscard]] std::string_view name(RepairKind kind);
-/// For example "24 points at equal places were joined".
-[[nodiscard]] std::string sentence(RepairKind kind, std::size_t count);
 
 /// How often one kind of repair was made.
 struct Repair {
@@ -120,6 +119,8 @@ struct Repair {
   std::size_t count;
   std::string detail;  ///< what is concerned, such as "first: line 12"; may be empty
 };
+/// For example "24 points at equal places were joined".
+[[nodiscard]] Message message(const Repair& repair);
 
 /// At most one entry a kind, in the order of first mention.
 class RepairReport {

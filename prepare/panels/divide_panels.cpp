@@ -92,7 +92,7 @@ class PanelCutter {
 
   static void refuse_more_than(double faces) {
     if (faces > static_cast<double>(most_faces)) {
-      throw Error(ErrorKind::no_nets, "the model is far too large for this paper; choose a smaller size");
+      throw Error(ErrorKind::no_nets, Message("too_large_for_paper"));
     }
   }
 

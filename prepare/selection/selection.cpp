@@ -198,14 +198,15 @@ void require_known(const std::vector<std::string>& asked, const std::vector<std:
     if (std::any_of(known.begin(), known.end(), [&](const std::string& k) { return matches(k, name); })) {
       continue;
     }
-    std::vector<std::string> told(
-        known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), most_told)));
-    if (known.size() > most_told) {
-      told.push_back(std::to_string(known.size() - most_told) + " more");
+    if (known.empty()) {
+      throw Error(ErrorKind::usage, Message("no_names", {{"name", name}}));
     }
-    throw Error(ErrorKind::usage,
-                "nothing in the model is named '" + name + "'; " +
-                    (known.empty() ? std::string("it has no names") : "there are " + listed(told, "and")));
+    std::vector<Message> names = plain_items(
+        {known.begin(), known.begin() + static_cast<std::ptrdiff_t>(std::min(known.size(), most_told))});
+    if (known.size() > most_told) {
+      names.push_back(Message("more_names", {{"n", known.size() - most_told}}));
+    }
+    throw Error(ErrorKind::usage, Message("unknown_object", {{"name", name}, {"names", std::move(names)}}));
   }
 }
 
@@ -248,8 +249,7 @@ mesh::Model select(mesh::Model model, const Selection& selection) {
     }
   }
   if (taken.empty()) {
-    throw Error(ErrorKind::usage,
-                "nothing is left of the model: no face has a name that is wanted and none that isn't");
+    throw Error(ErrorKind::usage, Message("nothing_left"));
   }
   PartOf part = part_of(model.surface, taken);
   const auto kept = [&](auto& of_faces) {

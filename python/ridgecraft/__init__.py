@@ -32,7 +32,7 @@ from ._core import (
     __version__,
 )
 from . import _core
-from ._paper import Progress, paper, unfold
+from ._run import Progress, run, unfold
 
 __all__ = [
     "Error",
@@ -47,13 +47,16 @@ __all__ = [
     "UsageError",
     "__version__",
     "hulls",
-    "paper",
     "read",
+    "run",
     "run_coacd",
     "segment",
     "set_log_level",
     "unfold",
 ]
+
+# Its name before 0.1.
+paper = run
 
 Hull = Tuple["npt.NDArray[np.float64]", "npt.NDArray[np.int32]"]
 

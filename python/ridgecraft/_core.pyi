@@ -96,7 +96,7 @@ def unfold(
     making: Tuple[bool, str],
     run: Tuple[int, int, Optional[float], Optional[Callable[[str, float], Any]]],
 ) -> Nets: ...
-def paper(
+def run(
     vertices: npt.ArrayLike,
     faces: Any,
     options: Dict[str, Any],

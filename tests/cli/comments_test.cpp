@@ -85,13 +85,13 @@ TEST_CASE("errors that comments announce are of a kind that there is", "[comment
 
 TEST_CASE("libraries don't speak of the program's options", "[comments]") {
   const std::regex option_in_text(R"re("[^"]*--[a-z][^"]*")re");
-  const std::regex table_of_options("base/option_table");
+  const std::regex tables("base/(?:option|message)_table");
   for (const fs::path& room : rooms()) {
     if (room.filename() == "cli") {
       continue;
     }
     for_each_line(room, [&](const std::string& place, const std::string& line) {
-      if (line.find_first_not_of(' ') != std::string::npos && !std::regex_search(place, table_of_options) &&
+      if (line.find_first_not_of(' ') != std::string::npos && !std::regex_search(place, tables) &&
           line.compare(line.find_first_not_of(' '), 2, "//") != 0) {
         INFO(place);
         CHECK_FALSE(std::regex_search(line, option_in_text));

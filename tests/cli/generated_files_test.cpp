@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is written from the table of options: docs/reference/options.md, the studio's controls and Python's
-// functions. RIDGECRAFT_UPDATE_GOLDEN=1 writes these files.
+// What is written from the tables of options and messages: docs/reference/options.md, the studio's controls
+// and texts, and Python's functions. RIDGECRAFT_UPDATE_GOLDEN=1 writes these files.
 #include <algorithm>
 #include <cmath>
 #include <regex>
@@ -12,9 +12,10 @@
 #include <fmt/format.h>
 
 #include "base/encodings.hpp"
+#include "base/message.hpp"
 #include "base/option_table.hpp"
 #include "export/machine/presets.hpp"
-#include "job/option_fields.hpp"
+#include "job/asked_options.hpp"
 #include "support/golden.hpp"
 
 using namespace ridgecraft;
@@ -196,6 +197,12 @@ std::string texts_js(const Option& row) {
 std::string studio_module() {
   std::string controls;
   std::string texts;
+  std::string aliases;
+  for (const Option& row : option_table()) {
+    if (!row.same_as.empty()) {
+      aliases += fmt::format("  \"--{}\": \"--{}\",\n", row.name, row.same_as);
+    }
+  }
   // Groups stand together in the panel.
   for (const char* group : {"size", "paper", "pieces", "tabs", "machine"}) {
     for (const Option& row : option_table()) {
@@ -222,8 +229,27 @@ std::string studio_module() {
       " * @property {{boolean}} [more] lies behind \"more\"\n"
       " */\n\n"
       "/** @type {{Option[]}} */\nexport const optionTable = [\n{}];\n\n"
+      "/** Options that stand for others. @type {{Record<string, string>}} */\nexport const aliases = "
+      "{{\n{}}};\n\n"
       "Object.assign(texts, {{\n{}}});\n",
-      note, controls, texts);
+      note, controls, aliases, texts);
+}
+
+/// The page of a finished result shows why joins have no tab, the studio all messages.
+std::string message_module() {
+  std::string viewer;
+  std::string studio;
+  for (const MessageRow& row : message_table()) {
+    (row.code.starts_with("no_tab_") ? viewer : studio) +=
+        fmt::format("  {}: [{}, {}],\n", row.code, json_string(row.english), json_string(row.german));
+  }
+  return fmt::format(
+      "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+      "// The program's messages in English and German: made from base/message_table.cpp by "
+      "tests/cli/generated_files_test.cpp.\n\n"
+      "/** @type {{Record<string, [string, string]>}} */\nexport const viewerMessages = {{\n{}}};\n\n"
+      "/** @type {{Record<string, [string, string]>}} */\nexport const studioMessages = {{\n{}}};\n",
+      viewer, studio);
 }
 
 // ---- Python
@@ -315,7 +341,7 @@ std::string python_function(const std::string& name, bool pages, const std::stri
 std::string python_module() {
   return fmt::format(
              "# SPDX-License-Identifier: GPL-3.0-or-later\n"
-             "\"\"\"unfold() and paper(): {}.\"\"\"\n\n"
+             "\"\"\"unfold() and run(): {}.\"\"\"\n\n"
              "from __future__ import annotations\n\n"
              "from typing import Any, Callable, Literal, Optional, Sequence, Union\n\n"
              "import numpy.typing as npt\n\n"
@@ -327,17 +353,18 @@ std::string python_module() {
              "Unfolds a model into nets without overlap, without pages: pieces may be as large as "
              "they like.\n\n    Bodies stay as they are, faces are kept and there are no tabs, unless "
              "asked for. Lengths are mm.") +
-         python_function("paper", true, "Paper",
+         python_function("run", true, "Paper",
                          "Turns a model into pages of paper, as the program does. Lengths are mm, angles "
                          "degrees.");
 }
 
 }  // namespace
 
-TEST_CASE("what is written from the table of options is current", "[options][generated]") {
+TEST_CASE("what is written from the tables of options and messages is current", "[options][generated]") {
   check_golden("../../docs/reference/options.md", reference_page());
   check_golden("../../web/option_words.js", studio_module());
-  check_golden("../../python/ridgecraft/_paper.py", python_module());
+  check_golden("../../web/message_words.js", message_module());
+  check_golden("../../python/ridgecraft/_run.py", python_module());
 }
 
 TEST_CASE("the usual values of options are those of the program", "[options]") {
@@ -385,4 +412,72 @@ TEST_CASE("the table of options names every preset, and each name once", "[optio
     CHECK(names.contains(rule.option.substr(0, rule.option.find('='))));
     CHECK(names.contains(rule.other.substr(0, rule.other.find('='))));
   }
+}
+
+TEST_CASE("choices are in the order of the enumerations that they set", "[options]") {
+  using namespace unfold;
+  struct Meaning {
+    const char* option;
+    std::vector<std::pair<const char*, int>> words;
+  };
+  const auto meaning = [](const char* option, std::initializer_list<std::pair<const char*, int>> words) {
+    return Meaning{option, words};
+  };
+  const auto value = [](auto enumerator) { return static_cast<int>(enumerator); };
+  using export_::DxfKind, export_::Grain, export_::Hinge, export_::Ink, export_::Numbers,
+      export_::PackingEffort, export_::Scores, export_::TurnedOver;
+  for (const Meaning& row :
+       {meaning("up",
+                {{"x", value(mesh::Axis::x)}, {"y", value(mesh::Axis::y)}, {"z", value(mesh::Axis::z)}}),
+        meaning("page-by", {{"any", value(job::PageBy::any)},
+                            {"material", value(job::PageBy::material)},
+                            {"object", value(job::PageBy::object)}}),
+        meaning("pack", {{"fast", value(PackingEffort::fast)}, {"good", value(PackingEffort::good)}}),
+        meaning("grain", {{"any", value(Grain::any)},
+                          {"long", value(Grain::long_side)},
+                          {"short", value(Grain::short_side)}}),
+        meaning("tabs", {{"auto", value(TabSides::best)},
+                         {"one-side", value(TabSides::one_side)},
+                         {"alternate", value(TabSides::alternate)},
+                         {"both", value(TabSides::both)},
+                         {"slots", value(TabSides::slots)}}),
+        meaning("numbers", {{"inside", value(Numbers::inside)},
+                            {"tabs", value(Numbers::tabs)},
+                            {"outside", value(Numbers::outside)},
+                            {"back", value(Numbers::back)}}),
+        meaning("duplex", {{"long", value(TurnedOver::long_edge)}, {"short", value(TurnedOver::short_edge)}}),
+        meaning("ink",
+                {{"colour", value(Ink::colour)}, {"pale", value(Ink::pale)}, {"lines", value(Ink::lines)}}),
+        meaning("skins", {{"outer", value(prepare::Skins::outer)},
+                          {"middle", value(prepare::Skins::middle)},
+                          {"both", value(prepare::Skins::both)}}),
+        meaning("dxf", {{"r2000", value(DxfKind::r2000)},
+                        {"r12", value(DxfKind::r12)},
+                        {"plain", value(DxfKind::plain)}}),
+        meaning("score", {{"solid", value(Scores::solid)},
+                          {"dashes", value(Scores::dashes)},
+                          {"perforate", value(Scores::perforate)},
+                          {"ends", value(Scores::ends)},
+                          {"none", value(Scores::none)}}),
+        meaning(
+            "hinge",
+            {{"back", value(Hinge::back)}, {"middle", value(Hinge::middle)}, {"front", value(Hinge::front)}}),
+        meaning("pieces", {{"few", value(PieceMode::few)},
+                           {"parts", value(PieceMode::parts)},
+                           {"small", value(PieceMode::small)}})}) {
+    for (const auto& [word, enumerator] : row.words) {
+      CAPTURE(row.option, word);
+      job::AskedOptions asked;
+      asked.typed(row.option).text = word;
+      CHECK(static_cast<int>(asked.choice(row.option)) == enumerator);
+    }
+  }
+}
+
+TEST_CASE("a flag that stands for another option is that one", "[options]") {
+  job::AskedOptions asked;
+  asked.typed("no-tabs").flag = true;
+  CHECK_FALSE(job::options_of(asked, {}).tabs.wanted);
+  asked.typed("tabs").text = "both";
+  CHECK_THROWS_WITH(job::options_of(asked, {}), "--no-tabs and --tabs both exclude each other");
 }

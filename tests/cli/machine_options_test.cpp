@@ -23,30 +23,30 @@ using namespace ridgecraft::test;
 
 namespace {
 
-PaperJob job_of(std::vector<std::string> words) {
+MakeJob job_of(std::vector<std::string> words) {
   words.insert(words.begin(), "house.obj");
-  return std::get<PaperJob>(parse_arguments(words));
+  return std::get<MakeJob>(parse_arguments(words));
 }
 
 }  // namespace
 
 TEST_CASE("a preset sets its sheet, and every option goes before it", "[machine_options]") {
-  const PaperJob cricut = job_of({"--preset", "cricut"});
+  const MakeJob cricut = job_of({"--preset", "cricut"});
   CHECK(cricut.options.paper->size == Vec2{292.0, 292.0});
   CHECK(cricut.options.paper->margin == 0.0);
   CHECK_FALSE(cricut.options.paper->furniture);
   CHECK(job_of({"--preset", "cricut", "--paper", "A4"}).options.paper->size == Vec2{210.0, 297.0});
   CHECK(job_of({"--preset", "cricut", "--margin", "7"}).options.paper->margin == 7.0);
-  const PaperJob bed = job_of({"--preset", "glowforge", "--bed", "400x300mm", "--kerf", "0.2mm"});
+  const MakeJob bed = job_of({"--preset", "glowforge", "--bed", "400x300mm", "--kerf", "0.2mm"});
   CHECK(bed.options.paper->size == Vec2{400.0, 300.0});
   // Room for the beam at the edges and between pieces.
   CHECK(bed.options.paper->margin == Approx(0.2));
   CHECK(job_of({"--preset", "laser", "--kerf", "2mm"}).options.paper->gap == Approx(4.5));
   CHECK(bed.preset.paths.kerf_mm == Approx(0.2));
-  const PaperJob bed_alone = job_of({"--bed", "400x300mm", "-o", "a.dxf"});
+  const MakeJob bed_alone = job_of({"--bed", "400x300mm", "-o", "a.dxf"});
   CHECK(bed_alone.options.paper->foot == 0.0);
   CHECK_FALSE(bed_alone.options.paper->furniture);
-  const PaperJob changed =
+  const MakeJob changed =
       job_of({"--preset", "laser", "--score", "solid", "--bridges", "3", "--engrave", "off", "--colour",
               "cut=#010203", "--colour", "numbers=#0a0b0c", "--svg-px", "72", "--thickness", "3mm"});
   CHECK(changed.preset.paths.scores == export_::Scores::solid);

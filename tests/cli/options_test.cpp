@@ -27,7 +27,7 @@ std::string refusal(const std::vector<std::string>& arguments) {
 
 TEST_CASE("what --pack says counts for pages", "[options]") {
   const auto packing = [](const std::string& word) {
-    return std::get<PaperJob>(parse_arguments({"whale.obj", "--pack", word})).options.paper->packing;
+    return std::get<MakeJob>(parse_arguments({"whale.obj", "--pack", word})).options.paper->packing;
   };
   CHECK(packing("fast") == export_::PackingEffort::fast);
   CHECK(packing("good") == export_::PackingEffort::good);
@@ -37,7 +37,7 @@ TEST_CASE("what --pack says counts for pages", "[options]") {
 
 TEST_CASE("what --grain says counts for pages", "[options]") {
   const auto grain = [](const std::string& word) {
-    return std::get<PaperJob>(parse_arguments({"whale.obj", "--grain", word})).options.paper->grain;
+    return std::get<MakeJob>(parse_arguments({"whale.obj", "--grain", word})).options.paper->grain;
   };
   CHECK(grain("any") == export_::Grain::any);
   CHECK(grain("long") == export_::Grain::long_side);
@@ -47,7 +47,7 @@ TEST_CASE("what --grain says counts for pages", "[options]") {
 
 TEST_CASE("a model alone gets the defaults that a maker would choose", "[options]") {
   const Job job = parse_arguments({"whale.obj"});
-  const auto& paper = std::get<PaperJob>(job);
+  const auto& paper = std::get<MakeJob>(job);
   CHECK(paper.model == "whale.obj");
   CHECK(paper.outputs.empty());
   CHECK(paper.options.size.largest_extent_mm == 150.0);
@@ -65,7 +65,7 @@ TEST_CASE("a model alone gets the defaults that a maker would choose", "[options
 TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   const Job job =
       parse_arguments({"-o", "a.pdf", "--size", "20cm", "whale.obj", "-o", "b.svg", "--paper=letter"});
-  const auto& paper = std::get<PaperJob>(job);
+  const auto& paper = std::get<MakeJob>(job);
   CHECK(paper.model == "whale.obj");
   CHECK(paper.outputs == std::vector<std::string>{"a.pdf", "b.svg"});
   CHECK(paper.options.size.largest_extent_mm == 200.0);
@@ -74,13 +74,13 @@ TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
 
 TEST_CASE("folds are hidden below an angle in degrees", "[options]") {
   const Job job = parse_arguments({"whale.obj", "--hide-folds", "10"});
-  const auto& options = std::get<PaperJob>(job).options;
+  const auto& options = std::get<MakeJob>(job).options;
   CHECK(options.style.hidden_fold_angle == Approx(0.17453).epsilon(1e-4));
 }
 
 TEST_CASE("a scale says how large one unit becomes", "[options]") {
   const Job job = parse_arguments({"house.obj", "--scale", "1:50", "--unit", "m"});
-  CHECK(*std::get<PaperJob>(job).options.size.mm_per_unit == Approx(20.0));
+  CHECK(*std::get<MakeJob>(job).options.size.mm_per_unit == Approx(20.0));
 }
 
 TEST_CASE("verbs get their jobs", "[options]") {
@@ -95,7 +95,7 @@ TEST_CASE("verbs get their jobs", "[options]") {
 }
 
 TEST_CASE("a model named like a verb is reached by its path", "[options]") {
-  CHECK(std::get<PaperJob>(parse_arguments({"./info"})).model == "./info");
+  CHECK(std::get<MakeJob>(parse_arguments({"./info"})).model == "./info");
 }
 
 TEST_CASE("help opens with examples and names every option", "[options]") {
@@ -164,8 +164,9 @@ TEST_CASE("wrong arguments are refused in one sentence", "[options]") {
 }
 
 TEST_CASE("an option that is given twice counts as it stands last", "[options]") {
-  CHECK(std::get<PaperJob>(parse_arguments({"a.obj", "--paper", "A4", "--paper", "A3"}))
-            .options.paper->size.x == 297.0);
+  CHECK(
+      std::get<MakeJob>(parse_arguments({"a.obj", "--paper", "A4", "--paper", "A3"})).options.paper->size.x ==
+      297.0);
 }
 
 TEST_CASE("no entry of the help is without a name", "[options]") {
@@ -213,7 +214,7 @@ TEST_CASE("a name that begins with a dash is told as it was typed, and where it 
   }
   CHECK(refusal({"info", "-h.obj"}).ends_with("as in: ridgecraft info -- -h.obj"));
   CHECK(refusal({"a.obj", "-x"}) == "there is no option '-x'; see ridgecraft --help");
-  CHECK(std::get<PaperJob>(parse_arguments({"--", "-h.obj"})).model == "-h.obj");
+  CHECK(std::get<MakeJob>(parse_arguments({"--", "-h.obj"})).model == "-h.obj");
 }
 
 TEST_CASE("a second model is refused with what a run takes", "[options]") {
@@ -239,8 +240,8 @@ TEST_CASE("a word before a file is told to be no verb", "[options]") {
   CHECK(refusal({"export", "nets.fold", "-o", "x.pdf"}) ==
         "there is no verb 'export'; pages of nets are made by: ridgecraft MODEL --from nets.fold");
   CHECK(refusal({"export", "a.obj"}) == "there is no verb 'export'; ridgecraft --help lists all");
-  CHECK(std::get<PaperJob>(parse_arguments({"export"})).model == "export");
-  CHECK(std::get<PaperJob>(parse_arguments({"export", "-o", "x.pdf"})).model == "export");
+  CHECK(std::get<MakeJob>(parse_arguments({"export"})).model == "export");
+  CHECK(std::get<MakeJob>(parse_arguments({"export", "-o", "x.pdf"})).model == "export");
 }
 
 TEST_CASE("each help says what a time limit does there", "[options]") {

@@ -265,7 +265,7 @@ TEST_CASE("pieces are split where all tabs are asked for, and it is told", "[sum
     CHECK(split["pieces"] == 2);
     CHECK(split["joins_too_narrow"] == 0);
     CHECK(split["tabs_usable"] == split["joins"]);
-    CHECK(split["notes"].back() == "1 piece was split off for tabs");
+    CHECK(split["notes"].back()["text"] == "1 piece was split off for tabs");
     CHECK(run_program({"verify", "b.fold"}, in(folder)).exit_code == 0);
     const Json fold = Json::parse(read_bytes(folder / "b.fold"));
     CHECK(fold["ridgecraft:pieces"][1]["reason"] == "tabs");
@@ -314,7 +314,8 @@ TEST_CASE("pieces that have to fold by themselves are split until they do, and i
     const Json json = Json::parse(run(with_json));
     CHECK(json["pieces"] == 2);
     CHECK(json["pieces_to_fold_with_care"].empty());
-    CHECK(json["notes"].back() == "1 piece was split off so that all fold up with all creases together");
+    CHECK(json["notes"].back()["text"] ==
+          "1 piece was split off so that all fold up with all creases together");
     const Json fold = Json::parse(read_bytes(folder / "a.fold"));
     CHECK(fold["ridgecraft:settings"]["fold_linear"] == true);
     CHECK(fold["ridgecraft:pieces"][1]["reason"] == "request");

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/arguments/parse.hpp"
-#include "cli/files/request_files.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/program_checks.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -45,9 +45,9 @@ TEST_CASE("a file of tabs is read line by line", "[tabs]") {
                                                         {"0 none", "line 1: '0'"},
                                                         {"12", "line 1: after the number"},
                                                         {"12 none B", "line 1: an edge with no tab"},
-                                                        {"12 height=99", "line 1: height=99"},
-                                                        {"12 height=", "line 1: height="},
-                                                        {"12 angle=5", "line 1: angle=5"},
+                                                        {"12 height=99", "line 1: height= takes 1.5 to 50mm"},
+                                                        {"12 height=", "line 1: height= takes a length"},
+                                                        {"12 angle=5", "line 1: angle= takes a number"},
                                                         {"12 width=3", "line 1: 'width=3'"},
                                                         {"12 B C", "line 1: 'C'"}}) {
     CAPTURE(text);

@@ -113,7 +113,7 @@ TEST_CASE("many faults of one cause are told in a few lines", "[verify]") {
   const Outcome outcome = house.verify({"--pages", "other/house.pdf"});
   INFO(outcome.out);
   CHECK(outcome.exit_code == 6);
-  CHECK(outcome.out.find("beside their places") == std::string::npos);
+  CHECK(outcome.out.find("off their places") == std::string::npos);
   const Json json = Json::parse(house.verify({"--pages", "other/house.pdf", "--json"}).out);
   const auto faults = json.at("faults").size();
   REQUIRE(faults > 6);

@@ -61,7 +61,7 @@ inline void check_soup(const mesh::Soup& soup, std::size_t bytes) {
     require(i == 0 || soup.objects[i - 1].first <= soup.objects[i].first);
   }
   for (const mesh::Repair& remark : soup.remarks.entries()) {
-    require(remark.count > 0 && !mesh::sentence(remark.kind, remark.count).empty());
+    require(remark.count > 0 && !english(mesh::message(remark)).empty());
     require(printable(remark.detail) == remark.detail);
   }
 }

@@ -67,7 +67,7 @@ void check(const mesh::Model& model, std::size_t polygons) {
     require(polygon == mesh::Soup::none || polygon < polygons);
   }
   for (const mesh::Repair& repair : model.repairs.entries()) {
-    require(repair.count > 0 && !mesh::sentence(repair.kind, repair.count).empty());
+    require(repair.count > 0 && !english(mesh::message(repair)).empty());
   }
 }
 

@@ -26,7 +26,7 @@ mesh::Model sample(const std::string& name, bool keep_points = false) {
 }
 
 /// The nets without what was asked for them: two ways to one result differ in nothing else.
-std::string bytes_of(const job::Paper& made) {
+std::string bytes_of(const job::Result& made) {
   std::string text = made.fold;
   for (const export_::Drawing& page : made.drawings) {
     text += export_::write_svg(page, {});
@@ -37,7 +37,7 @@ std::string bytes_of(const job::Paper& made) {
 }  // namespace
 
 TEST_CASE("a job keeps every value on its way, and they agree", "[job]") {
-  const job::Paper made = job::paper(sample("house.obj"), {}, {});
+  const job::Result made = job::run(sample("house.obj"), {}, {});
   CHECK(made.part.size() == made.prepared.model.surface.face_count());
   CHECK(made.part_count > 0);
   CHECK(made.nets.piece.size() == made.part.size());
@@ -55,16 +55,16 @@ TEST_CASE("a job keeps every value on its way, and they agree", "[job]") {
 }
 
 TEST_CASE("the same tabs again and the same paper again give the same bytes", "[job]") {
-  const job::Paper made = job::paper(sample("rocket.obj"), {}, {});
+  const job::Result made = job::run(sample("rocket.obj"), {}, {});
   CHECK(bytes_of(job::with_tabs(made, made.options.tabs, {})) == bytes_of(made));
   CHECK(bytes_of(job::with_pages(made, *made.options.paper, made.options.style, {})) == bytes_of(made));
 }
 
 TEST_CASE("other tabs change tabs and nothing of the nets", "[job]") {
-  const job::Paper made = job::paper(sample("house.obj"), {}, {});
+  const job::Result made = job::run(sample("house.obj"), {}, {});
   unfold::TabOptions lower = made.options.tabs;
   lower.height_mm = 3.5;
-  const job::Paper other = job::with_tabs(made, lower, {});
+  const job::Result other = job::with_tabs(made, lower, {});
   CHECK(other.nets.use == made.nets.use);
   CHECK(other.nets.flat == made.nets.flat);
   CHECK(other.nets.piece == made.nets.piece);
@@ -73,15 +73,15 @@ TEST_CASE("other tabs change tabs and nothing of the nets", "[job]") {
   CHECK(bytes_of(job::with_tabs(other, made.options.tabs, {})) == bytes_of(made));
   unfold::TabOptions none = made.options.tabs;
   none.wanted = false;
-  const job::Paper bare = job::with_tabs(made, none, {});
+  const job::Result bare = job::with_tabs(made, none, {});
   CHECK(bare.nets.tabs.empty());
   CHECK(bare.figures.tabs == 0);
   CHECK(bytes_of(job::with_tabs(bare, made.options.tabs, {})) == bytes_of(made));
 }
 
 TEST_CASE("other paper changes pages and nothing of the nets", "[job]") {
-  const job::Paper made = job::paper(sample("whale.obj"), {}, {});
-  const job::Paper large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, {});
+  const job::Result made = job::run(sample("whale.obj"), {}, {});
+  const job::Result large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, {});
   CHECK(large.pages.count <= made.pages.count);
   CHECK(large.nets.flat == made.nets.flat);
   CHECK(large.drawings.size() == large.pages.count);
@@ -93,7 +93,7 @@ TEST_CASE("a file tells what its nets were searched with, whatever was changed s
   first.seed = 7;
   Context later;
   later.seed = 8;
-  const auto setting = [](const job::Paper& made, const std::string& name) {
+  const auto setting = [](const job::Result& made, const std::string& name) {
     const std::string key = "\"" + name + "\":";
     const std::size_t at = made.fold.find(key);
     if (at == std::string::npos) {
@@ -102,7 +102,7 @@ TEST_CASE("a file tells what its nets were searched with, whatever was changed s
     const std::size_t begin = made.fold.find_first_not_of(' ', at + key.size());
     return made.fold.substr(begin, made.fold.find_first_of(",}\n", begin) - begin);
   };
-  const job::Paper made = job::paper(sample("house.obj"), {}, first);
+  const job::Result made = job::run(sample("house.obj"), {}, first);
   CHECK(setting(made, "seed") == "7");
   CHECK(made.fold.find("\"searched_") == std::string::npos);
 
@@ -110,13 +110,13 @@ TEST_CASE("a file tells what its nets were searched with, whatever was changed s
   unfold::TabOptions tabs = made.options.tabs;
   tabs.height_mm = 3.5;
   tabs.split_pieces = true;
-  const job::Paper lower = job::with_tabs(made, tabs, later);
+  const job::Result lower = job::with_tabs(made, tabs, later);
   CHECK(setting(lower, "seed") == "7");
   CHECK(setting(lower, "all_tabs").empty());
   CHECK(setting(lower, "tab_height_mm") == "3.5");
   CHECK(setting(lower, "searched_tab_height_mm") == "5");
 
-  const job::Paper large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, later);
+  const job::Result large = job::with_pages(made, export_::parse_paper("A2"), made.options.style, later);
   CHECK(setting(large, "seed") == "7");
   CHECK(large.fold.find("\"searched_paper_mm\"") != std::string::npos);
   CHECK(bytes_of(job::with_pages(large, *made.options.paper, made.options.style, later)) == bytes_of(made));
@@ -125,17 +125,17 @@ TEST_CASE("a file tells what its nets were searched with, whatever was changed s
 TEST_CASE("pieces that were split for tabs stay so without them", "[job]") {
   job::Options options;
   options.tabs.split_pieces = true;
-  const job::Paper made = job::paper(sample("rocket.obj"), options, {});
+  const job::Result made = job::run(sample("rocket.obj"), options, {});
   unfold::TabOptions none = options.tabs;
   none.wanted = false;
-  const job::Paper bare = job::with_tabs(made, none, {});
+  const job::Result bare = job::with_tabs(made, none, {});
   CHECK(bare.nets.piece == made.nets.piece);
   CHECK(bare.fold.find("\"searched_all_tabs\"") != std::string::npos);
 }
 
 TEST_CASE("the times of a job that goes on are those of all its steps", "[job]") {
-  const job::Paper made = job::paper(sample("house.obj"), {}, {});
-  const job::Paper other = job::with_tabs(made, made.options.tabs, {});
+  const job::Result made = job::run(sample("house.obj"), {}, {});
+  const job::Result other = job::with_tabs(made, made.options.tabs, {});
   REQUIRE(other.seconds.size() == made.seconds.size() + 1);
   CHECK(other.seconds.back().first == "tabs");
   for (std::size_t i = 0; i < made.seconds.size(); ++i) {
@@ -147,8 +147,8 @@ TEST_CASE("the times of a job that goes on are those of all its steps", "[job]")
 TEST_CASE("folds that get no line are no short folds, either", "[job]") {
   job::Options options;
   options.style.hidden_fold_angle = 0.2;
-  const job::Paper made = job::paper(sample("gem.stl"), options, {});
-  CHECK(made.options.simplify.hidden_fold_angle == made.options.style.hidden_fold_angle);
+  const job::Result made = job::run(sample("gem.stl"), options, {});
+  CHECK(made.used.simplify.hidden_fold_angle == made.options.style.hidden_fold_angle);
 }
 
 TEST_CASE("a size that the program chose gives what asking for that size does", "[job]") {
@@ -174,14 +174,14 @@ TEST_CASE("a size that the program chose gives what asking for that size does", 
   model.digest = "0123456789abcdef";
   job::Options options;
   options.size.adapts = true;
-  const job::Paper chosen = job::paper(model, options, {});
+  const job::Result chosen = job::run(model, options, {});
   REQUIRE(chosen.prepared.size_reason == prepare::SizeReason::room);
-  const double size = chosen.options.size.largest_extent_mm;
+  const double size = chosen.used.size.largest_extent_mm;
   CHECK(size > 150.0);
-  CHECK_FALSE(chosen.options.size.judged_at_mm);
+  CHECK_FALSE(chosen.used.size.judged_at_mm);
   options.size.adapts = false;
   options.size.largest_extent_mm = size;
-  const job::Paper asked = job::paper(model, options, {});
+  const job::Result asked = job::run(model, options, {});
   CHECK(std::ranges::equal(asked.prepared.model.surface.points(), chosen.prepared.model.surface.points()));
   CHECK(asked.cleanup.left_out.count() == chosen.cleanup.left_out.count());
   CHECK(asked.nets.pieces.size() == chosen.nets.pieces.size());
@@ -191,7 +191,7 @@ TEST_CASE("without paper there are nets and no pages", "[job]") {
   job::Options options;
   options.paper = std::nullopt;
   options.parts = job::PartsFrom::components;
-  const job::Paper made = job::paper(sample("gem.stl"), options, {});
+  const job::Result made = job::run(sample("gem.stl"), options, {});
   CHECK(made.pages.count == 0);
   CHECK(made.drawings.empty());
   CHECK(made.nets.pieces.size() == 1);
@@ -208,10 +208,10 @@ TEST_CASE("nets of board tell where bodies touch, as those of paper do", "[job]"
   const mesh::Model model = mesh::read(mesh::ModelFile{text, "boxes.obj", "boxes", {}}, {}, {});
   job::Options options;
   options.bodies = prepare::Bodies::keep;
-  const job::Paper paper = job::paper(model, options, {});
+  const job::Result paper = job::run(model, options, {});
   REQUIRE_FALSE(paper.drawn.glue_outlines.empty());
   options.board.thickness_mm = 1.0;
-  const job::Paper board = job::paper(model, options, {});
+  const job::Result board = job::run(model, options, {});
   const auto glue_of = [](const std::string& fold) {
     const std::size_t begin = fold.find("\"ridgecraft:glue\"");
     REQUIRE(begin != std::string::npos);
@@ -224,13 +224,13 @@ TEST_CASE("edges are named by points of the file", "[job]") {
   mesh::Model model = sample("packaging_box.obj", true);
   job::Options options;
   options.edges.cut = job::EdgeList{{{0, 1}}, digest("0 1")};
-  const job::Paper made = job::paper(std::move(model), options, {});
-  CHECK(made.options.simplify.mode == prepare::Simplification::keep);
+  const job::Result made = job::run(std::move(model), options, {});
+  CHECK(made.used.simplify.mode == prepare::Simplification::keep);
   CHECK(made.fold.find("\"cuts\"") != std::string::npos);
 
   const auto refused = [](mesh::Model file, const job::Options& asked) {
     try {
-      static_cast<void>(job::paper(std::move(file), asked, {}));
+      static_cast<void>(job::run(std::move(file), asked, {}));
     } catch (const Error& error) {
       return error.kind() == ErrorKind::unreadable_input;
     }
@@ -249,12 +249,12 @@ TEST_CASE("a listener is told of hundreds of pages and of folds too short for fi
   job::Options options;
   options.simplify.mode = prepare::Simplification::keep;
   options.size.largest_extent_mm = 12.0;
-  static_cast<void>(job::paper(sample("gem.stl"), options, {}, listener));
+  static_cast<void>(job::run(sample("gem.stl"), options, {}, listener));
   REQUIRE(told.size() == 1);
   CHECK(std::holds_alternative<job::ShortFolds>(told.front()));
   told.clear();
   options.size.largest_extent_mm = 150.0;
-  static_cast<void>(job::paper(sample("gem.stl"), options, {}, listener));
+  static_cast<void>(job::run(sample("gem.stl"), options, {}, listener));
   CHECK(told.empty());
   // Whoever is told may end the job, before the long work.
   options.size.largest_extent_mm = 10000.0;
@@ -262,7 +262,7 @@ TEST_CASE("a listener is told of hundreds of pages and of folds too short for fi
     told.push_back(remark);
     throw Error(ErrorKind::usage, "enough");
   };
-  CHECK_THROWS_AS(job::paper(sample("whale.obj"), options, {}, ends), Error);
+  CHECK_THROWS_AS(job::run(sample("whale.obj"), options, {}, ends), Error);
   REQUIRE(told.size() == 1);
   REQUIRE(std::holds_alternative<job::ManyPages>(told.front()));
   const auto& many = std::get<job::ManyPages>(told.front());
@@ -275,7 +275,7 @@ TEST_CASE("a job without time says so, and one that is stopped, too", "[job]") {
   Context late;
   late.deadline = Deadline::in(0.0);
   try {
-    static_cast<void>(job::paper(sample("whale.obj"), {}, late));
+    static_cast<void>(job::run(sample("whale.obj"), {}, late));
     FAIL("nothing could be prepared in no time");
   } catch (const Error& error) {
     CHECK(error.kind() == ErrorKind::out_of_time);
@@ -284,5 +284,5 @@ TEST_CASE("a job without time says so, and one that is stopped, too", "[job]") {
   source.request_stop();
   Context stopped;
   stopped.stop = source.get_token();
-  CHECK_THROWS_AS(job::paper(sample("whale.obj"), {}, stopped), Error);
+  CHECK_THROWS_AS(job::run(sample("whale.obj"), {}, stopped), Error);
 }

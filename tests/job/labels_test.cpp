@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "job/job.hpp"
-#include "job/parts.hpp"
+#include "job/unfold_options.hpp"
 #include "mesh/mesh.hpp"
 
 using namespace ridgecraft;
@@ -59,7 +59,7 @@ double folded_over_borders(const std::string& text, double weight, std::uint64_t
   options.pieces.weights.borders = weight;
   Context context;
   context.seed = seed;
-  const job::Paper made = job::paper(model_of(text), options, context);
+  const job::Result made = job::run(model_of(text), options, context);
   const mesh::Model& model = made.prepared.model;
   double folded = 0.0;
   for (const EdgeId e : ids<EdgeId>(model.surface.edge_count())) {

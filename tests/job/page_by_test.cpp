@@ -29,16 +29,16 @@ mesh::Model house() {
   return mesh::read(mesh::ModelFile{text, "house.obj", "house", {}}, {}, {});
 }
 
-job::Paper made(job::PageBy by) {
+job::Result made(job::PageBy by) {
   job::Options options;
   options.page_by = by;
-  return job::paper(house(), options, {});
+  return job::run(house(), options, {});
 }
 
 }  // namespace
 
 TEST_CASE("pages of one material hold nothing else, and say so", "[job]") {
-  const job::Paper paper = made(job::PageBy::material);
+  const job::Result paper = made(job::PageBy::material);
   const mesh::Model& model = paper.prepared.model;
   REQUIRE(paper.pages.names.size() == paper.pages.count);
   CHECK(std::set<std::string>(paper.pages.names.begin(), paper.pages.names.end()) ==
@@ -69,7 +69,7 @@ TEST_CASE("pages along the paper's grain pass the check of their files, which te
   export_::Paper sheet;
   sheet.grain = export_::Grain::long_side;
   options.paper = sheet;
-  const job::Paper paper = job::paper(house(), options, {});
+  const job::Result paper = job::run(house(), options, {});
   CHECK(paper.fold.find("\"grain\": \"long\"") != std::string::npos);
   const auto lines = export_::fold_directions(paper.prepared.model.surface, paper.nets);
   for (const PieceId piece : ids<PieceId>(lines.size())) {
@@ -79,7 +79,7 @@ TEST_CASE("pages along the paper's grain pass the check of their files, which te
 }
 
 TEST_CASE("pages of one object", "[job]") {
-  const job::Paper paper = made(job::PageBy::object);
+  const job::Result paper = made(job::PageBy::object);
   CHECK(std::set<std::string>(paper.pages.names.begin(), paper.pages.names.end()) ==
         std::set<std::string>{"walls", "roof", "box"});
   for (const FaceId f : ids<FaceId>(paper.prepared.model.surface.face_count())) {
@@ -89,7 +89,7 @@ TEST_CASE("pages of one object", "[job]") {
 }
 
 TEST_CASE("without a constraint pages hold anything", "[job]") {
-  const job::Paper paper = made(job::PageBy::any);
+  const job::Result paper = made(job::PageBy::any);
   CHECK(paper.pages.names.empty());
   std::map<PageId, std::set<std::string>> objects;
   for (const FaceId f : ids<FaceId>(paper.prepared.model.surface.face_count())) {

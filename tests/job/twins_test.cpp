@@ -118,7 +118,7 @@ mesh::Surface hull() {
   return test::mapped(test::cube(), [](Vec3 p) { return Vec3{20 * p.x - 10, 140 * p.y - 70, 12 * p.z}; });
 }
 
-std::vector<std::size_t> kinds_of(const job::Paper& made) {
+std::vector<std::size_t> kinds_of(const job::Result& made) {
   std::vector<std::size_t> counts;
   for (const auto& kind : made.nets.equal) {
     counts.push_back(kind.size());
@@ -128,7 +128,7 @@ std::vector<std::size_t> kinds_of(const job::Paper& made) {
 
 /// Pieces of each component, and those among them that are of a kind with a piece of every other component
 /// with as many faces.
-bool all_twins_are_equal(const job::Paper& made, std::size_t bodies) {
+bool all_twins_are_equal(const job::Result& made, std::size_t bodies) {
   const mesh::Surface& surface = made.prepared.model.surface;
   std::vector<std::set<ComponentId>> components;
   for (const auto& kind : made.nets.equal) {
@@ -184,7 +184,7 @@ TEST_CASE("fourteen oars at random have one net", "[job][twins]") {
       }
       job::Options options = keep ? keeping_faces() : job::Options();
       options.bodies = prepare::Bodies::keep;  // oars that run into each other would become one body
-      const job::Paper made = job::paper(boat.model(), options, {});
+      const job::Result made = job::run(boat.model(), options, {});
       REQUIRE(made.prepared.twins.size() == 1);
       CHECK(all_twins_are_equal(made, 14));
       CHECK(made.figures.overlaps == 0);
@@ -211,7 +211,7 @@ TEST_CASE("two wheels and their mirror images have one net", "[job][twins]") {
         cart.add("wheel" + std::to_string(i), wheel(), turn, {i % 2 == 0 ? -40.0 : 100.0, 80.0 * (i / 2), 0},
                  i >= 2);
       }
-      const job::Paper made = job::paper(cart.model(), keep ? keeping_faces() : job::Options(), {});
+      const job::Result made = job::run(cart.model(), keep ? keeping_faces() : job::Options(), {});
       REQUIRE(made.prepared.twins.size() == 1);
       CHECK(all_twins_are_equal(made, 4));
       REQUIRE_FALSE(kinds_of(made).empty());
@@ -235,11 +235,11 @@ TEST_CASE("twins keep equal tabs when tabs are given anew", "[job][twins]") {
     const Turned turn = any_turn(boat.random());
     boat.add("oar", oar(), turn, {40.0 * i, 0, 0}, i == 1);
   }
-  const job::Paper made = job::paper(boat.model(), keeping_faces(), {});
+  const job::Result made = job::run(boat.model(), keeping_faces(), {});
   CHECK(all_twins_are_equal(made, 3));
   unfold::TabOptions lower;
   lower.height_mm = 3.0;
-  const job::Paper again = job::with_tabs(made, lower, {});
+  const job::Result again = job::with_tabs(made, lower, {});
   CHECK(all_twins_are_equal(again, 3));
   CHECK(again.fold != made.fold);
   CHECK(job::with_tabs(again, made.options.tabs, {}).nets.tabs.size() == made.nets.tabs.size());
@@ -268,7 +268,7 @@ TEST_CASE("the four legs of a table have one net", "[job][twins]") {
     return Vec3{towards(p.x, 0.06), towards(p.y, 0.1), p.z < 0.0 ? 1.5 * p.z : p.z};
   });
   table.add("table", body, any_turn(table.random()), {}, false);
-  const job::Paper made = job::paper(table.model(), keeping_faces(), {});
+  const job::Result made = job::run(table.model(), keeping_faces(), {});
   const auto most_equal = [&](const unfold::Nets& nets) {
     std::size_t most = 0;
     for (const auto& kind : unfold::find_equal_pieces(made.prepared.model.surface, nets)) {
@@ -291,7 +291,7 @@ TEST_CASE("bodies that are nearly equal keep their own nets", "[job][twins]") {
     });
     boat.add("oar", longer, turn, {40.0 * i, 0, 0}, false);
   }
-  const job::Paper made = job::paper(boat.model(), keeping_faces(), {});
+  const job::Result made = job::run(boat.model(), keeping_faces(), {});
   CHECK(made.prepared.twins.empty());
   CHECK(made.nets.equal.empty());
 }
@@ -305,7 +305,7 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
   }
   job::Options options;
   options.bodies = prepare::Bodies::keep;
-  const job::Paper made = job::paper(boat.model(), options, {});
+  const job::Result made = job::run(boat.model(), options, {});
   const std::size_t begin = made.fold.find('[', made.fold.find("\"ridgecraft:equal_pieces\""));
   REQUIRE(begin != std::string::npos);
   std::size_t end = begin;
@@ -350,8 +350,8 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
 }
 
 TEST_CASE("a file that calls tabs of equal pieces equal that aren't is found", "[job][twins]") {
-  const job::Paper made =
-      job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/penguin.obj", {}, {}), {}, {});
+  const job::Result made =
+      job::run(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/penguin.obj", {}, {}), {}, {});
   const std::string told = ",\"other_tabs\":true";
   const std::size_t at = made.fold.find(told);
   REQUIRE(at != std::string::npos);

@@ -23,7 +23,7 @@ def lengths(points, triangles=None):
 @pytest.mark.parametrize("name", ["mug.obj", "heart.obj"])
 def test_pages_are_those_of_the_program(name, tmp_path):
     vertices, faces = read_obj(name)
-    made = ridgecraft.paper(vertices, faces, size=120, title="plain")
+    made = ridgecraft.run(vertices, faces, size=120, title="plain")
     # The module knows of no materials, between which the program keeps borders.
     lines = (SAMPLES / name).read_text().splitlines(keepends=True)
     (tmp_path / "plain.obj").write_text("".join(x for x in lines if "mtl" not in x))
@@ -37,7 +37,7 @@ def test_pages_are_those_of_the_program(name, tmp_path):
 
 
 def test_every_format_is_written():
-    made = ridgecraft.paper(*read_obj("heart.obj"))
+    made = ridgecraft.run(*read_obj("heart.obj"))
     assert made.pdf().startswith(b"%PDF")
     assert made.png(0, 30).startswith(b"\x89PNG")
     assert "</svg>" in made.svg(made.page_count - 1)
@@ -51,7 +51,7 @@ def test_every_format_is_written():
 
 def test_the_fold_file_passes_the_program_s_check(tmp_path):
     vertices, faces = read_obj("heart.obj")
-    made = ridgecraft.paper(vertices, faces, title="heart")
+    made = ridgecraft.run(vertices, faces, title="heart")
     (tmp_path / "heart.fold").write_text(made.fold)
     assert told("verify", tmp_path / "heart.fold")["faces"] == len(made.faces)
     assert json.loads(made.fold)["file_title"] == "heart"
@@ -96,7 +96,7 @@ def test_tabs_have_no_height_without_tabs(cube):
 @pytest.mark.parametrize("wrong", [{"size": True}, {"margin": True}, {"max_faces": True}])
 def test_numbers_are_no_booleans(cube, wrong):
     with pytest.raises(TypeError):
-        ridgecraft.paper(*cube, **wrong)
+        ridgecraft.run(*cube, **wrong)
 
 
 def test_faces_know_their_polygons(cube):
@@ -116,7 +116,7 @@ def test_whole_bodies_are_one_net():
 
 def test_two_runs_are_equal():
     vertices, faces = read_obj("heart.obj")
-    first, second = (ridgecraft.paper(vertices, faces, threads=n) for n in (1, 3))
+    first, second = (ridgecraft.run(vertices, faces, threads=n) for n in (1, 3))
     assert first.pdf() == second.pdf()
     assert first.fold == second.fold
 
@@ -144,13 +144,13 @@ def test_two_runs_are_equal():
 )
 def test_what_can_t_be_is_refused(cube, arguments, kind):
     with pytest.raises(kind):
-        ridgecraft.paper(*cube, **arguments)
+        ridgecraft.run(*cube, **arguments)
 
 
 def test_nobody_could_fold_it():
     vertices, faces = read_obj("whale.obj")
     with pytest.raises(ridgecraft.Unbuildable, match="can't be built at"):
-        ridgecraft.paper(vertices, faces, size=10, simplify="keep", strict=True)
+        ridgecraft.run(vertices, faces, size=10, simplify="keep", strict=True)
 
 
 def test_everything_says_what_it_does():

@@ -29,7 +29,7 @@ def test_ctrl_c_ends_it(large):
 def test_ctrl_c_ends_paper(large):
     interrupt_after(1.0)
     with pytest.raises(KeyboardInterrupt):
-        ridgecraft.paper(*large, size=3000, simplify="keep")
+        ridgecraft.run(*large, size=3000, simplify="keep")
 
 
 def test_a_program_that_was_interrupted_ends(large, tmp_path):
@@ -72,7 +72,7 @@ CALLS = {
     "segment": lambda mesh: ridgecraft.segment(*mesh).tobytes(),
     "hulls": lambda mesh: [part.tobytes() for hull in ridgecraft.hulls(*mesh) for part in hull],
     "unfold": lambda mesh: ridgecraft.unfold(*mesh, size=100).fold,
-    "paper": lambda mesh: ridgecraft.paper(*mesh, size=100).pdf(),
+    "run": lambda mesh: ridgecraft.run(*mesh, size=100).pdf(),
 }
 
 

@@ -19,7 +19,7 @@ for points, triangles in ridgecraft.hulls([[0.0, 0.0, 0.0]], [[0, 0, 0]], max_ve
 for part in ridgecraft.run_coacd(ridgecraft.Mesh(vertices, faces), threshold=0.05):
     print(len(part))
 nets = ridgecraft.unfold(np.zeros((3, 3)), [[0, 1, 2]], size=10.0, progress=lambda stage, share: None)
-made = ridgecraft.paper(vertices, faces, simplify=400)
+made = ridgecraft.run(vertices, faces, simplify=400)
 pages: bytes = made.pdf()
 print(nets.flat.shape, made.page_count, made.figures["pieces"])
 """
@@ -29,7 +29,7 @@ import ridgecraft
 
 ridgecraft.segment([[0.0, 0.0, 0.0]], [[0, 0, 0]], concavity="much")
 ridgecraft.segment([[0.0, 0.0, 0.0]], [[0, 0, 0]], concaveness=1)
-ridgecraft.paper([[0.0, 0.0, 0.0]], [[0, 0, 0]]).pages
+ridgecraft.run([[0.0, 0.0, 0.0]], [[0, 0, 0]]).pages
 """
 
 

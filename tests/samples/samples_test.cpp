@@ -116,7 +116,7 @@ TEST_CASE("every sample is a sound surface that can be folded", "[samples]") {
       // An STL has no shared points, and a border is said to be there; nothing else is worth a remark.
       const bool expected = repair.kind == mesh::RepairKind::points_joined ||
                             (repair.kind == mesh::RepairKind::open_border && !sample.closed);
-      INFO(mesh::sentence(repair.kind, repair.count));
+      INFO(english(mesh::message(repair)));
       CHECK(expected);
     }
     CHECK((model.repairs.count(mesh::RepairKind::open_border) == 0) == sample.closed);

@@ -38,7 +38,7 @@ namespace {
 
 /// Cuts and joins at random edges. After each one the file is sound, and the way back gives
 /// the bytes from before; so does the way back to the start, and the saved file gives the last ones.
-void edit_at_random(job::Paper made, std::uint64_t seed, std::size_t edits) {
+void edit_at_random(job::Result made, std::uint64_t seed, std::size_t edits) {
   Project project = session::open(std::move(made));
   const mesh::Surface surface = surface_of(project);
   std::vector<std::string> bytes{bytes_of(project.now)};
@@ -52,7 +52,7 @@ void edit_at_random(job::Paper made, std::uint64_t seed, std::size_t edits) {
     const std::array<Edit, 1> edit{folded ? Edit(Cut{edge}) : Edit(Join{edge})};
     const session::Answer answer = session::apply(project, edit, {});
     if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-      CHECK_FALSE(refusal->why.empty());
+      CHECK_FALSE(english(refusal->why).empty());
       CHECK_FALSE(refusal->faces.empty());
       continue;
     }
@@ -115,25 +115,24 @@ TEST_CASE("joined by hand, a piece may have more faces than a search would give 
   CHECK(ways > 0);
 }
 
-TEST_CASE("what can't be is refused with a sentence and a place", "[session]") {
+TEST_CASE("what can't be is refused with a reason and a place", "[session]") {
   const Project start = session::open(cube());
   const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
   const Edge cut = edges_used(start, unfold::EdgeUse::cut).front();
-  CHECK(refused(start, {Cut{cut}}).why == "this edge is cut already");
-  CHECK(refused(start, {Join{fold}}).why == "this edge is a fold already");
+  CHECK(refused(start, {Cut{cut}}).why.code == "cut_already");
+  CHECK(refused(start, {Join{fold}}).why.code == "fold_already");
   const session::Refusal loop = refused(start, {Join{cut}});
-  CHECK(loop.why.find("both sides of this edge belong to piece A") != std::string::npos);
+  CHECK(loop.why == Message("closes_loop", {{"a", "A"}}));
   CHECK(loop.faces.size() == 2);
-  CHECK(refused(start, {Cut{{VertexId(0), VertexId(99)}}}).why == "the model has no such edge");
-  CHECK(refused(start, {Cut{{VertexId(99), VertexId(0)}}}).why == "the model has no such edge");
+  CHECK(refused(start, {Cut{{VertexId(0), VertexId(99)}}}).why.code == "no_such_edge");
+  CHECK(refused(start, {Cut{{VertexId(99), VertexId(0)}}}).why.code == "no_such_edge");
   const mesh::Surface& surface = surface_of(start);
   const auto& panel = start.now.prepared.panels.panel;
   std::size_t inside = 0;
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     if (panel[mesh::face_of(c)] == panel[mesh::face_of(d)]) {
-      CHECK(refused(start, {Cut{name_of(surface, e)}}).why ==
-            "this edge lies inside a flat region, which stays whole");
+      CHECK(refused(start, {Cut{name_of(surface, e)}}).why.code == "inside_flat_region");
       ++inside;
     }
   }
@@ -190,7 +189,7 @@ TEST_CASE("a tab goes over to the other side of its edge, and away", "[session]"
   CHECK(tab_at(cut) == there);
   CHECK(bytes_of(saved(cut).now) == bytes_of(cut.now));
   const Edge fold = edges_used(start, unfold::EdgeUse::fold).front();
-  CHECK(refused(start, {TabFrom{fold}}).why == "only an edge that is glued has a tab");
+  CHECK(refused(start, {TabFrom{fold}}).why.code == "only_glued_edges");
 }
 
 TEST_CASE("a tab that has no room on the other side stays, and why is told", "[session][slow]") {
@@ -211,7 +210,7 @@ TEST_CASE("a tab that has no room on the other side stays, and why is told", "[s
       const session::Answer answer = session::apply(
           start, std::vector<Edit>{TabFrom{{surface.vertex(there), surface.vertex(mesh::next(there))}}}, {});
       if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-        CHECK(refusal->why == "there is no room for a usable tab on this side");
+        CHECK(refusal->why.code == "no_room_for_tab");
         CHECK(refusal->faces == std::vector<FaceId>{mesh::face_of(there)});
         ++refusals;
       }
@@ -223,8 +222,8 @@ TEST_CASE("a tab that has no room on the other side stays, and why is told", "[s
 TEST_CASE("a guide that is drawn when somebody asks for it is the one that a job makes", "[session]") {
   job::Options with_guide;
   with_guide.guide = true;
-  const job::Paper at_once = sample("gem.stl", with_guide);
-  const job::Paper later = sample("gem.stl");
+  const job::Result at_once = sample("gem.stl", with_guide);
+  const job::Result later = sample("gem.stl");
   REQUIRE(later.guide.pages.empty());
   CHECK(export_::write_guide_pdf(job::guide_of(later, {}).pages, {}) ==
         export_::write_guide_pdf(at_once.guide.pages, {}));
@@ -251,7 +250,7 @@ TEST_CASE("a join that would overlap names the faces", "[session][slow]") {
   for (const Edge& cut : edges_used(project, unfold::EdgeUse::cut)) {
     const session::Answer answer = session::apply(project, std::vector<Edit>{Join{cut}}, {});
     const auto* const refusal = std::get_if<session::Refusal>(&answer);
-    if (refusal != nullptr && refusal->why.find("would overlap") != std::string::npos) {
+    if (refusal != nullptr && refusal->why.code == "would_overlap") {
       CHECK(refusal->faces.size() > 1);
       ++overlaps;
     }

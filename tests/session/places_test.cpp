@@ -168,24 +168,23 @@ TEST_CASE("a place without room is refused with both pieces", "[session]") {
   Place onto = moved(start, PieceId(1), {});
   onto.at = on_page(start, start.now.nets.pieces[PieceId(0)].faces.front())[0];
   const session::Refusal refusal = refused(start, {onto});
-  CHECK(refusal.why.starts_with("there piece B would lie on piece A"));
+  CHECK(english(refusal.why).starts_with("there piece B would lie on piece A"));
   CHECK(refusal.faces.size() == surface_of(start).face_count());
   const auto told = session::why_not(start, std::vector<Edit>{onto}, {});
   REQUIRE(told);
   CHECK(told->why == refusal.why);
   CHECK_FALSE(session::why_not(start, std::vector<Edit>{moved(start, PieceId(1), {})}, {}));
   CHECK(refused(start, {moved(start, PieceId(1), {500.0, 0.0})}).why ==
-        "piece B would leave the part of the page that is for pieces");
+        Message("beyond_sheet", {{"a", "B"}}));
   Place far = moved(start, PieceId(1), {});
   far.page = 2;
-  CHECK(refused(start, {far}).why == "there is no such page");
-  CHECK(refused(start, {Pin{FaceId(99)}}).why == "the model has no such face");
+  CHECK(refused(start, {far}).why.code == "no_such_page");
+  CHECK(refused(start, {Pin{FaceId(99)}}).why.code == "no_such_face");
   job::Options options;
   options.paper.reset();
-  const job::Paper nets_alone = job::paper(mesh::Model(start.start->prepared.model), options, {});
+  const job::Result nets_alone = job::run(mesh::Model(start.start->prepared.model), options, {});
   const Project boundless = session::open(nets_alone);
-  CHECK(refused(boundless, {Place{FaceId(0), 0, {0.0, 0.0}, 0.0}}).why ==
-        "nets without pages have no places");
+  CHECK(refused(boundless, {Place{FaceId(0), 0, {0.0, 0.0}, 0.0}}).why.code == "no_pages");
 }
 
 TEST_CASE("a piece that is held nearly where it has room can be laid there", "[session]") {
@@ -228,11 +227,12 @@ TEST_CASE("a pinned piece stays as it is", "[session]") {
   const FaceId face = start.now.nets.pieces[large].faces.front();
   const Project pinned = done(start, {Pin{face}});
   CHECK(bytes_of(session::undo(pinned, {}).now) == bytes_of(start.now));
-  const std::string why = "piece " + start.now.nets.pieces[large].name + " is pinned";
+  const std::vector<MessageValue> named{{"a", start.now.nets.pieces[large].name}};
+  const Message why("pinned", named);
   CHECK(refused(pinned, {moved(pinned, large, {1.0, 0.0})}).why == why);
   CHECK(refused(pinned, {Retry{face, 1}}).why == why);
   CHECK(refused(pinned, {Pack{{face}}}).why == why);
-  CHECK(refused(pinned, {Pin{face}}).why == why + " already");
+  CHECK(refused(pinned, {Pin{face}}).why == Message("pinned_already", named));
   for (const Edge& fold : edges_used(pinned, unfold::EdgeUse::fold)) {
     CHECK(refused(pinned, {Cut{fold}}).why == why);
   }
@@ -242,7 +242,7 @@ TEST_CASE("a pinned piece stays as it is", "[session]") {
   const Project packed = done(pinned, {Pack{}});
   CHECK(faces_elsewhere(pinned, packed) <= surface_of(start).face_count() - faces_of(start, large));
   const Project loose = done(pinned, {Unpin{face}});
-  CHECK(refused(loose, {Unpin{face}}).why == "piece " + start.now.nets.pieces[large].name + " isn't pinned");
+  CHECK(refused(loose, {Unpin{face}}).why == Message("not_pinned", named));
   CHECK_FALSE(
       session::why_not(loose, std::vector<Edit>{Cut{edges_used(loose, unfold::EdgeUse::fold).front()}}, {}));
   CHECK(saved(pinned).state().pinned == pinned.state().pinned);
@@ -255,7 +255,7 @@ TEST_CASE("a piece gets another net, and the others stay", "[session][slow]") {
     const FaceId face = start.now.nets.pieces[p].faces.front();
     const session::Answer answer = session::apply(start, std::vector<Edit>{Retry{face, 7}}, {});
     if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-      CHECK(refusal->why == "no other net of piece " + start.now.nets.pieces[p].name + " was found");
+      CHECK(refusal->why == Message("no_other_net", {{"a", start.now.nets.pieces[p].name}}));
       continue;
     }
     const Project& other = std::get<Project>(answer);
@@ -302,12 +302,12 @@ TEST_CASE("edits don't heed a deadline", "[session][slow]") {
 TEST_CASE("edges that were to be kept are counted after each edit", "[session]") {
   const Project plain = session::open(cube());
   const mesh::Surface& surface = surface_of(plain);
-  job::Paper made = *plain.start;
+  job::Result made = *plain.start;
   made.constraints = unfold::EdgeConstraints(surface.edge_count(), unfold::EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     made.constraints[e] = unfold::EdgeConstraint::keep;
   }
-  made.early_notes = {"a note of a stage before"};
+  made.early_notes = {Message("most_edges_marked")};
   const Project start = session::open(made);
   const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
   // A cube's net has seven cuts.
@@ -318,7 +318,7 @@ TEST_CASE("edges that were to be kept are counted after each edit", "[session]")
 TEST_CASE("edges that were to be cut stay so when a join lays them on each other", "[session][slow]") {
   const Project start = session::open(sample("mug.obj"));
   const mesh::Surface& surface = surface_of(start);
-  job::Paper made = *start.start;
+  job::Result made = *start.start;
   made.constraints = unfold::EdgeConstraints(surface.edge_count(), unfold::EdgeConstraint::none);
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     made.constraints[e] = start.now.nets.use[e] == unfold::EdgeUse::cut ? unfold::EdgeConstraint::cut
@@ -346,7 +346,7 @@ TEST_CASE("edges that were to be cut stay so when a join lays them on each other
 }
 
 TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session][slow]") {
-  job::Paper made = sample("mug.obj");
+  job::Result made = sample("mug.obj");
   const auto joins = made.nets.joins;
   const auto with_tab =
       std::find_if(joins.begin(), joins.end(), [](const unfold::Join& j) { return j.tab.valid(); });
@@ -424,7 +424,7 @@ TEST_CASE("places, pins and nets at random leave sound pages, and every state co
     INFO(session::text_of(edit));
     const session::Answer answer = session::apply(project, edit, {});
     if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-      CHECK_FALSE(refusal->why.empty());
+      CHECK_FALSE(english(refusal->why).empty());
       CHECK_FALSE(refusal->faces.empty());
       continue;
     }

@@ -12,19 +12,19 @@
 #include <catch2/catch.hpp>
 
 #include "export/export.hpp"
-#include "job/old_nets.hpp"
+#include "job/edge_requests.hpp"
 #include "mesh/mesh.hpp"
 #include "session/session.hpp"
 #include "verify/file/file.hpp"
 
 namespace ridgecraft::session_test {
 
-inline job::Paper sample(const std::string& name, const job::Options& options = {}) {
-  return job::paper(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), options, {});
+inline job::Result sample(const std::string& name, const job::Options& options = {}) {
+  return job::run(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/" + name, {}, {}), options, {});
 }
 
 /// A cube that A4 holds as one cross; of several pieces where none may have all six faces.
-inline job::Paper cube(std::size_t most_faces_of_a_piece = 0) {
+inline job::Result cube(std::size_t most_faces_of_a_piece = 0) {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                  {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   const std::vector<std::vector<std::uint32_t>> faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
@@ -32,11 +32,11 @@ inline job::Paper cube(std::size_t most_faces_of_a_piece = 0) {
   job::Options options;
   options.size.largest_extent_mm = 50.0;
   options.pieces.max_panels = most_faces_of_a_piece;
-  return job::paper(mesh::repair(points, faces, {}, {}), options, {});
+  return job::run(mesh::repair(points, faces, {}, {}), options, {});
 }
 
 /// Everything that a maker gets but the guide.
-inline std::string bytes_of(const job::Paper& made) {
+inline std::string bytes_of(const job::Result& made) {
   std::string text = made.fold;
   for (const export_::Drawing& page : made.drawings) {
     text += export_::write_svg(page, {});
@@ -70,13 +70,13 @@ inline std::vector<session::Edge> edges_used(const session::Project& project, un
 inline session::Project done(const session::Project& project, const std::vector<session::Edit>& edits) {
   session::Answer answer = session::apply(project, edits, {});
   if (const auto* const refusal = std::get_if<session::Refusal>(&answer)) {
-    FAIL("refused: " << refusal->why);
+    FAIL("refused: " << english(refusal->why));
   }
   return std::get<session::Project>(std::move(answer));
 }
 
 /// What the steps in its FOLD file make of this paper.
-inline session::Project saved(const session::Project& project, job::Paper start) {
+inline session::Project saved(const session::Project& project, job::Result start) {
   const verify::File file = job::read_fold_file({"the saved project", project.now.fold});
   const verify::Setting* const edits = file.settings.find("edits");
   REQUIRE(edits != nullptr);

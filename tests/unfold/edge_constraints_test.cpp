@@ -43,7 +43,7 @@ Options on_paper() {
 
 std::size_t noted(const Nets& nets, const std::string& words) {
   return static_cast<std::size_t>(std::count_if(nets.notes.begin(), nets.notes.end(), [&](const auto& note) {
-    return note.find(words) != std::string::npos;
+    return english(note).find(words) != std::string::npos;
   }));
 }
 

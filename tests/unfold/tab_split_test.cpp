@@ -199,7 +199,7 @@ TEST_CASE("split pieces have a tab on every edge that is wide enough", "[tabs][s
     CHECK(static_cast<std::size_t>(for_tabs) == split.pieces.size() - whole.pieces.size());
     // One note, and it counts what can't be helped.
     REQUIRE_FALSE(split.notes.empty());
-    const std::string& note = split.notes.back();
+    const std::string note = english(split.notes.back());
     CHECK(note.find("split off for tabs") != std::string::npos);
     CHECK((note.find("; " + std::to_string(narrow(split)) +
                      (narrow(split) == 1 ? " edge is too short" : " edges are too short")) !=
@@ -281,7 +281,7 @@ TEST_CASE("pieces split off count, whatever part they stand for then", "[tabs][s
     const Nets split = unfold::unfold(s, test::no_panels(s), part, options, {});
     const std::size_t more = split.pieces.size() - whole.pieces.size();
     REQUIRE(more > 0);
-    CHECK(split.notes.back().rfind(std::to_string(more) + " piece", 0) == 0);
+    CHECK(english(split.notes.back()).rfind(std::to_string(more) + " piece", 0) == 0);
     for (const PieceId p : ids<PieceId>(split.pieces.size())) {
       parted += split.pieces[p].reason == PieceReason::part && whole.pieces.size() == 1 ? 1U : 0U;
     }
@@ -299,10 +299,10 @@ TEST_CASE("nets that were split in too little time say so", "[tabs]") {
     const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
     CHECK(test::faults_of(s, nets, options) == none);
     CHECK((deadline || missing(s, nets) == 0));
-    return nets.notes.back();
+    return english(nets.notes.back());
   };
   const std::string late = note_of(Deadline::in(0.0));
-  CHECK(late.find("the time given was up") != std::string::npos);
+  CHECK(late.find("time limit reached") != std::string::npos);
   // Whoever had no time to look for room doesn't know that there is none.
   CHECK(late.find("no room for a tab yet") != std::string::npos);
   CHECK(late.find("even so") == std::string::npos);

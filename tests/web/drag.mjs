@@ -26,12 +26,12 @@ function play(fold, sheets) {
   self.onmessage = ({data}) => {
     const result = {summary: {}, fold, sheets, pinned};
     if (data.line) {
-      postMessage({note: `${data.call}: ${data.line}`});
+      postMessage({note: {code: "plain", values: {text: `${data.call}: ${data.line}`}, text: ""}});
     }
-    const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: "piece A would leave the part of the page that is for pieces", faces: [0]} : null;
+    const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: {code: "beyond_sheet", values: {a: "A"}, text: ""}, faces: [0]} : null;
     const [verb, , , x, y] = (data.line ?? "").split(" ");
     const above = verb === "place" && Number(y) > 250 && data.call === "preview";
-    const nearby = {refused: {edit: 0, why: "no room", faces: [0]}, instead: [Number(x), 20]};
+    const nearby = {refused: {edit: 0, why: {code: "no_such_page", values: {}, text: ""}, faces: [0]}, instead: [Number(x), 20]};
     if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
       pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
       result.pinned = pinned;

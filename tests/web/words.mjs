@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each text of the page stands in both languages, with the same gaps; each one that is asked for is there, and none is
-// there that isn't asked for; and each reason of the program's for which an edit is refused has its German sentence.
+// there that isn't asked for. The program's messages are said in both, and no module reads a sentence.
 //   node words.mjs SOURCE     the folder of the sources
 import {readdirSync, readFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
 
 const source = process.argv[2];
 const load = (name) => import(pathToFileURL(`${source}/web/${name}`).href);
-const {texts, reader, noTabReasons, sayNoTab} = await load("words.js");
-const {refusals, sayRefusal} = await load("studio_words.js");
+const {messages, texts, reader} = await load("words.js");
+const {proposalOf, saySentence} = await load("studio_words.js");
 const {optionTable} = await load("options.js");
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
-const gapsOf = (text) => [...text.matchAll(/\{(\w+)\}/g)].map(([, name]) => name).sort().join();
+const gapsOf = (text) => [...new Set([...text.matchAll(/\{(\w+)/g)].map(([, name]) => name))].sort().join();
 function checkPair(about, pair) {
   const good = Array.isArray(pair) && pair.length === 2 && pair.every((text) => typeof text === "string" && text.trim() === text && text !== "" || /^, /.test(text));
   check(good, `${about}: ${JSON.stringify(pair)} isn't one text in English and one in German`);
@@ -26,9 +26,10 @@ for (const [key, pair] of Object.entries(texts)) {
   checkPair(key, pair);
   check(pair[0] !== pair[1] || alike.test(key), `${key}: "${pair[0]}" wasn't translated`);
 }
-for (const pair of [...refusals, ...noTabReasons]) {
-  checkPair("a sentence of the program", pair);
-  check(pair[0] !== pair[1], `"${pair[0]}" wasn't translated`);
+for (const [code, pair] of Object.entries(messages)) {
+  checkPair(code, pair);
+  check(pair[0] !== pair[1] || pair[0].replace(/\{\w+\}/g, "").length < 5, `${code}: "${pair[0]}" wasn't translated`);
+  check(!pair[0].endsWith(".") && !pair[1].endsWith("."), `${code} ends with a full stop`);
 }
 
 // Asked for: by say(), by attributes of the page, by the table of options, or as a word that a text goes by.
@@ -36,6 +37,7 @@ const files = readdirSync(`${source}/web`).filter((name) => /\.(js|html)$/.test(
 const pages = files.map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const own = ["words.js", "studio_words.js", "option_words.js"].map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const asked = new Set();
+check(!/matchAll|new RegExp/.test(pages), "a module reads sentences");
 for (const [, key] of pages.matchAll(/\b(?:say\(|data-(?:say|label)=)"([^"]+)"/g)) {
   asked.add(key);
 }
@@ -60,31 +62,21 @@ for (const {key, choices} of optionTable) {
   }
 }
 
-// Why an edit is refused, as the sources say it: each part between two gaps stands in a sentence that is translated.
-const english = refusals.map(([sentence]) => sentence.replace(/\{\w+\}/g, "{}"));
-const elsewhere = /^(the file was saved from|the saved project|the job|no step of edits)/;
-for (const name of ["session/draft.cpp", "unfold/edits.cpp", "unfold/edits.cpp"]) {
-  const code = readFileSync(`${source}/${name}`, "utf8").split("\n").filter((line) => !/^\s*(\/\/|#include)/.test(line)).join("\n");
-  for (const [, literal] of code.matchAll(/"((?:[^"\\\n]|\\.)*)"/g)) {
-    const part = literal.replace(/\{[^}]*\}/g, "{}");
-    const spoken = part.trim().split(/\s+/).length > 1 && !elsewhere.test(part);
-    check(!spoken || english.some((sentence) => sentence.includes(part)), `${name}: "${literal}" has no German sentence in studio_words.js`);
-  }
-}
-const reasons = /sentence\(NoTab reason\) \{(.*?)\n\}/s.exec(readFileSync(`${source}/unfold/net/nets.cpp`, "utf8"))?.[1] ?? "";
-const said = [...reasons.matchAll(/return "([^"]+)"/g)].map(([, sentence]) => sentence);
-check(said.join("|") === noTabReasons.map(([sentence]) => sentence).join("|"), `why a join has no tab reads ${JSON.stringify(said)} by the program`);
+// Messages of the program: what fills their gaps, in both languages, and options by the names of their controls.
+const spoken = (language, message) => {
+  reader.language = language;
+  return saySentence(message);
+};
+const few = {code: "split_for_tabs", values: {n: "1"}, text: ""};
+check(spoken("en", few) === "1 piece was split off for tabs", spoken("en", few));
+check(spoken("de", few) === "1 Teil wurde für Laschen abgetrennt", spoken("de", few));
+const word = {code: "option_word", values: {option: "--grain", text: "up", words: ["any", "long", "short"]}, text: ""};
+check(spoken("de", word) === "„Laufrichtung des Papiers“: any, long oder short, nicht „up“", spoken("de", word));
+const many = {code: "of_model", values: {model: "a.obj", what: [{code: "many_pages", values: {pages: "80", fewer: "10", try: {option: "size", value: "30mm"}}, text: ""}]}, text: ""};
+check(spoken("en", many) === "a.obj: this takes about 80 pages; “Largest side: 30mm” would take about 10", spoken("en", many));
+check(proposalOf(many)?.value === "30mm" && proposalOf(few) === null, "what a message proposes isn't found");
+check(spoken("de", {code: "no_such_page", values: {}, text: ""}) === "Diese Seite gibt es nicht.", "a refusal is no sentence");
+check(spoken("de", {code: "unknown", values: {}, text: "in English"}) === "in English", "a message without a text isn't said in English");
 
-reader.language = "de";
-for (const [sentence, german] of refusals) {
-  const fill = (text) => text.replace(/\{(\w+)\}/g, (_, name) => ({a: "AB", b: "C", n: "2"})[name]);
-  const spoken = sayRefusal(fill(sentence));
-  const wanted = fill(german);
-  check(spoken === `${wanted.charAt(0).toUpperCase()}${wanted.slice(1)}.`, `"${fill(sentence)}" reads "${spoken}"`);
-}
-for (const [sentence, german] of noTabReasons) {
-  check(sayNoTab(sentence) === german, `"${sentence}" reads "${sayNoTab(sentence)}"`);
-}
-
-console.log(faults.length === 0 ? `passed: ${Object.keys(texts).length} texts, ${refusals.length + noTabReasons.length} sentences` : `FAILED\n    ${faults.join("\n    ")}`);
+console.log(faults.length === 0 ? `passed: ${Object.keys(texts).length} texts, ${Object.keys(messages).length} messages` : `FAILED\n    ${faults.join("\n    ")}`);
 process.exit(faults.length === 0 ? 0 : 1);

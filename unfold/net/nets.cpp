@@ -34,52 +34,52 @@ std::string_view name(PieceReason reason) {
   return "part";
 }
 
-std::string_view sentence(PieceReason reason) {
+std::string_view message_code(PieceReason reason) {
   switch (reason) {
     case PieceReason::part:
-      return "a part of the model";
+      return "piece_part";
     case PieceReason::page:
-      return "its part doesn't fit the paper in one piece";
+      return "piece_page";
     case PieceReason::overlap:
-      return "no net of its part was found that doesn't overlap itself";
+      return "piece_overlap";
     case PieceReason::no_net:
-      return "its part has no net that doesn't overlap itself (proven)";
+      return "piece_no_net";
     case PieceReason::tabs:
-      return "its part has no room for tabs in one piece";
+      return "piece_tabs";
     case PieceReason::faces:
-      return "its part has more faces than one piece may have";
+      return "piece_faces";
     case PieceReason::time:
-      return "no net without overlap was found in the time given";
+      return "piece_time";
     case PieceReason::request:
-      return "cut here on request";
+      return "piece_request";
     case PieceReason::component:
-      return "its part isn't connected";
+      return "piece_component";
     case PieceReason::folding:
-      return "its part doesn't fold up with all creases together in one piece";
+      return "piece_folding";
     case PieceReason::shape:
-      return "one piece with its neighbour would be hard to cut out or to fold";
+      return "piece_shape";
   }
-  return "";
+  return "piece_part";
 }
 
-std::string_view sentence(NoTab reason) {
+std::string_view name(NoTab reason) {
   switch (reason) {
     case NoTab::has_tab:
       return "";
     case NoTab::edge_too_short:
-      return "the edge is too short for a tab";
+      return "edge_too_short";
     case NoTab::no_room:
-      return "a tab on either side would lie over a face or another tab";
+      return "no_room";
     case NoTab::target_too_small:
-      return "a tab would stick out behind the face it is glued to";
+      return "target_too_small";
     case NoTab::too_little_paper:
-      return "a tab would hang on less than 2 mm of paper";
+      return "too_little_paper";
     case NoTab::beyond_sheet:
-      return "the piece with the tab would not fit the paper";
+      return "beyond_sheet";
     case NoTab::not_wanted:
-      return "tabs are switched off";
+      return "not_wanted";
     case NoTab::time_up:
-      return "the time given was up before a place for a tab was found";
+      return "time_up";
   }
   return "";
 }

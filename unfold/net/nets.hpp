@@ -12,6 +12,7 @@
 
 #include "base/geometry.hpp"
 #include "base/id.hpp"
+#include "base/message.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 #include "unfold/net/edge_constraints.hpp"
@@ -30,8 +31,8 @@ enum class PieceReason { part, page, overlap, no_net, tabs, faces, time, request
 /// The words of nets-contract `reason`; `folding` is a request there, `no_net` an overlap, `shape` stands
 /// among `faces`.
 [[nodiscard]] std::string_view name(PieceReason reason);
-/// The same as a sentence for people.
-[[nodiscard]] std::string_view sentence(PieceReason reason);
+/// Code of the message that states it of `n` pieces.
+[[nodiscard]] std::string_view message_code(PieceReason reason);
 
 /// How a piece can be folded without running through itself (unfold/folding/fold_order.hpp).
 enum class FoldWay : std::uint8_t {
@@ -73,8 +74,8 @@ enum class NoTab {
   not_wanted,        ///< tabs are switched off
   time_up,           ///< the time given was up before a place was found
 };
-/// A sentence for people: the contract's `why`.
-[[nodiscard]] std::string_view sentence(NoTab reason);
+/// The contract's `why`: "edge_too_short"; with "no_tab_" before it the code of its message.
+[[nodiscard]] std::string_view name(NoTab reason);
 
 /// Two cut edges that are one edge of the surface. `number` is printed on both.
 struct Join {
@@ -124,8 +125,8 @@ struct Nets {
   /// Edges that were to be kept (EdgeConstraint::keep) and are cut: as folds they would close a loop, overlap
   /// or fit no page.
   std::size_t broken_constraints = 0;
-  /// Facts about the search that a report tells: seconds are kept out, so that two runs give the same bytes.
-  std::vector<std::string> notes;
+  /// Facts about the search that a report has: seconds are kept out, so that two runs give the same bytes.
+  std::vector<Message> notes;
 };
 
 /// Whether a tab is one beyond that of its join: a second one on the other side, one at an edge that is glued

@@ -21,18 +21,6 @@ constexpr std::array terms{Term{"seam", &Weights::seam},       Term{"bare", &Wei
 
 }  // namespace
 
-std::string_view name(PieceMode mode) {
-  switch (mode) {
-    case PieceMode::few:
-      return "few";
-    case PieceMode::parts:
-      return "parts";
-    case PieceMode::small:
-      return "small";
-  }
-  return "parts";
-}
-
 PieceRules rules_of(PieceMode mode) {
   PieceRules rules;
   rules.mode = mode;

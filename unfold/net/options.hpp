@@ -76,9 +76,6 @@ enum class PieceMode {
   small,  ///< small ones for short evenings
 };
 
-/// "few", "parts" or "small".
-[[nodiscard]] std::string_view name(PieceMode mode);
-
 /// What a mode means.
 struct PieceRules {
   PieceMode mode = PieceMode::parts;  ///< that these are the rules of, or began as
@@ -102,10 +99,6 @@ struct PieceRules {
 [[nodiscard]] std::span<const std::string_view> term_names();
 
 // Tabs as a user wants them on finished nets: on which sides, how high, edge by edge.
-
-/// Heights that may be asked for, mm: the lowest is as low as tabs get, and nobody folds a higher one.
-inline constexpr double lowest_asked_mm = 1.5;
-inline constexpr double highest_asked_mm = 50.0;
 
 /// How high tabs are that are put into slits, mm.
 inline constexpr double slot_tab_height_mm = 6.3;

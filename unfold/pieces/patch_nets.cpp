@@ -107,7 +107,7 @@ class PatchUnfolder {
       cut_conflicts(*searched, *failed);
     }
     if (searched == &loose && clean_pieces_ == 1) {
-      notes_.emplace_back("no single net that keeps its flat regions whole was found, so some are cut");
+      notes_.emplace_back("flat_regions_cut");
     }
     if (best_->cost.pieces > 1) {
       propose(merge_pieces(patch_, panel_folds(), room_, tolerance_, merge_budget, context_));
@@ -247,13 +247,12 @@ class PatchUnfolder {
     if (pieces == 1) {
       return;
     }
-    const std::string no_net = std::string("no single net ") +
-                               (whole_panels_ ? "that keeps its flat regions whole " : "") +
-                               (proven_least_ > 1 ? "exists (proven)"
-                                : out_of_time_    ? "was found in the time given"
-                                                  : "was found");
-    notes_.push_back(no_net + "; " + std::to_string(pieces) +
-                     (proven_least_ == pieces ? " pieces are the fewest possible" : " pieces were found"));
+    const std::string no_net =
+        std::string(whole_panels_ ? "no_whole_net_" : "no_net_") + (proven_least_ > 1 ? "proven"
+                                                                    : out_of_time_    ? "in_time"
+                                                                                      : "found");
+    notes_.push_back(Message(proven_least_ == pieces ? "fewest_pieces" : "pieces_found",
+                             {{"why", std::vector{Message(no_net)}}, {"n", pieces}}));
   }
 
   /// What there would be with other limits.
@@ -286,7 +285,7 @@ class PatchUnfolder {
   std::optional<Proposal> best_;
   std::optional<Folds> clean_;    ///< the fewest pieces without overlap, as large as they like
   std::size_t clean_pieces_ = 0;  ///< their number
-  std::vector<std::string> notes_;
+  std::vector<Message> notes_;
 };
 
 }  // namespace

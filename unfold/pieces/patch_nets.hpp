@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/message.hpp"
 #include "base/random.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
@@ -39,8 +40,8 @@ struct PiecesWithout {
 struct PatchNets {
   Folds folds;  ///< a forest: each tree one piece without overlap
   std::vector<PieceReason>
-      reason;  ///< per piece in the order of lay_out: why it isn't one with its neighbours
-  std::vector<std::string> notes;  ///< sentences about what didn't go the usual way; "it" is the patch
+      reason;                  ///< per piece in the order of lay_out: why it isn't one with its neighbours
+  std::vector<Message> notes;  ///< sentences about what didn't go the usual way; "it" is the patch
 };
 
 /// How long a net is searched for.

@@ -24,6 +24,10 @@ test("usual values say nothing to the program", () => {
   assert.deepEqual(wordsOf(Object.fromEntries(optionTable.map(({key, usual}) => [key, usual]))), []);
 });
 
+test("an option that stands for another is that one", () => {
+  assert.deepEqual(optionsOf(["--no-tabs"]), {options: {tabs: "none"}, rest: []});
+});
+
 test("words that are no options are passed on, in their order", () => {
   assert.deepEqual(optionsOf(["--unknown", "--size=20cm", "x"]), {options: {size: "20cm"}, rest: ["--unknown", "x"]});
 });

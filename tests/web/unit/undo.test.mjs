@@ -14,7 +14,7 @@ globalThis.Worker = class {
   }
   postMessage({id, ...message}) {
     asked.push(message);
-    const answer = refusing && message.call === "apply" ? {id, refused: {why: "no room", faces: [3]}}
+    const answer = refusing && message.call === "apply" ? {id, refused: {why: {code: "no_such_page", values: {}, text: ""}, faces: [3]}}
       : {id, fold: "{}", sheets: "", summary: {}};
     silent || setTimeout(() => this.ended || this.onmessage({data: answer}));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/jobs/paper_job.hpp"
+#include "cli/jobs/make_job.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -14,8 +14,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "cli/files/model_input.hpp"
-#include "cli/files/request_files.hpp"
+#include "cli/files/input_files.hpp"
 #include "cli/files/targets.hpp"
 #include "cli/jobs/stages.hpp"
 #include "export/sheet/drawing.hpp"
@@ -24,7 +23,7 @@
 namespace ridgecraft::cli {
 namespace {
 
-void calibrate(std::vector<export_::Drawing>& pages, const PaperJob& job) {
+void calibrate(std::vector<export_::Drawing>& pages, const MakeJob& job) {
   if (job.calibration) {
     std::ranges::transform(pages, pages.begin(), [&](export_::Drawing& page) {
       return export_::calibrated(std::move(page), *job.calibration);
@@ -33,7 +32,7 @@ void calibrate(std::vector<export_::Drawing>& pages, const PaperJob& job) {
 }
 
 /// Lists of numbers at the end have pages of their own, which no machine needs.
-std::vector<export_::Drawing> machine_pages(const job::Paper& made, const PaperJob& job) {
+std::vector<export_::Drawing> machine_pages(const job::Result& made, const MakeJob& job) {
   std::vector<export_::Drawing> pages(made.drawings.begin(),
                                       made.drawings.begin() + static_cast<std::ptrdiff_t>(made.pages.count));
   if (job.kerf_test) {
@@ -49,8 +48,8 @@ std::vector<export_::Drawing> machine_pages(const job::Paper& made, const PaperJ
   return pages;
 }
 
-std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) {
-  const job::Paper& made = sheets.made;
+std::string svg_of(const Sheets& sheets, std::size_t page, const MakeJob& job) {
+  const job::Result& made = sheets.made;
   if (!job.preset.is_machine()) {
     return page == sheets.drawings.size() ? export_::write_svg_of_all(sheets.drawings, sheets.mark)
                                           : export_::write_svg(sheets.drawings[page], sheets.mark);
@@ -60,7 +59,7 @@ std::string svg_of(const Sheets& sheets, std::size_t page, const PaperJob& job) 
              : export_::write_machine_svg(sheets.for_machine[page], sheets.mark, job.preset);
 }
 
-std::string pdf_of(const Target& target, const Sheets& sheets, const PaperJob& job) {
+std::string pdf_of(const Target& target, const Sheets& sheets, const MakeJob& job) {
   if (target.shows == Shows::guide) {
     return export_::write_guide_pdf(sheets.made.guide.pages, sheets.made.mark);
   }
@@ -86,8 +85,8 @@ constexpr std::size_t files_at_once = 16;
 
 /// Writes all targets' files under their temporary names, in one order for any number of threads.
 void add_targets(const std::vector<Target>& targets, const std::vector<std::vector<fs::path>>& of_targets,
-                 const Sheets& sheets, const PaperJob& job, const Context& context, PendingFiles& pending,
-                 PaperResult& result) {
+                 const Sheets& sheets, const MakeJob& job, const Context& context, PendingFiles& pending,
+                 MakeResult& result) {
   struct File {
     std::size_t target;
     std::size_t number;  ///< among those of its target
@@ -188,13 +187,13 @@ std::optional<std::string> note_of_others(const std::vector<Target>& targets,
 }
 
 /// What is read beside the model, so that no result replaces it.
-std::vector<InputFile> inputs_of(const PaperJob& job) {
+std::vector<InputFile> inputs_of(const MakeJob& job) {
   std::vector<InputFile> inputs = input_files(job.edges);
   inputs.push_back({"--tab-file", job.tab_file});
   return inputs;
 }
 
-void require_all_replaceable(const PaperJob& job, const std::vector<std::vector<fs::path>>& of_targets,
+void require_all_replaceable(const MakeJob& job, const std::vector<std::vector<fs::path>>& of_targets,
                              const std::string& digest) {
   for (const std::vector<fs::path>& of_target : of_targets) {
     for (const fs::path& file : of_target) {
@@ -210,7 +209,7 @@ bool has_guide(const std::vector<Target>& targets) {
 }
 
 /// What is known of the outputs is checked before the long work.
-std::vector<Target> checked_targets(const PaperJob& job) {
+std::vector<Target> checked_targets(const MakeJob& job) {
   std::vector<Target> targets =
       job.print_and_cut ? plan_print_and_cut(job.outputs, results_name(job.model), job.preset)
                         : plan_targets(job.outputs, results_name(job.model), job.preset, job.page);
@@ -235,25 +234,22 @@ void require_sensible_scale(const AskedSize& asked, const job::Options& options,
   }
   const double mm = model.surface.bounds().largest_extent() * model.file_scale * *options.size.mm_per_unit;
   if (mm < smallest_mm || mm > largest_mm) {
-    throw Error(
-        ErrorKind::usage,
-        fmt::format("{} makes the model {:.3g} mm large, as its file doesn't say what its numbers mean; add "
-                    "--unit m, cm, mm, in or ft",
-                    asked.words, mm));
+    throw Error(ErrorKind::usage,
+                Message("odd_scale", {{"asked", asked.words}, {"mm", fmt::format("{:.3g}", mm)}}));
   }
 }
 
 /// The model with its edges named, and all that follows from it.
 template <class Job>
-job::Paper make(const Job& job, job::Options options, const EdgeFiles& edge_files, mesh::Model model,
-                const Context& context, const job::Listener& listener) {
+job::Result make(const Job& job, job::Options options, const EdgeFiles& edge_files, mesh::Model model,
+                 const Context& context, const job::Listener& listener) {
   options.edges = requests_of(edge_files, model);
   if (job.size_asked.scale && model.frame.mm_per_unit) {
     options.size.mm_per_unit = *job.size_asked.scale * *model.frame.mm_per_unit;
   }
   require_sensible_scale(job.size_asked, options, model);
   try {
-    return job::paper(std::move(model), options, context, listener);
+    return job::run(std::move(model), options, context, listener);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::out_of_time) {
       throw;
@@ -279,12 +275,12 @@ struct FilesBeside {
   std::string tab_file_digest;
 };
 
-FilesBeside read_beside(const PaperJob& job) {
+FilesBeside read_beside(const MakeJob& job) {
   const std::string tab_file = job.tab_file.empty() ? std::string() : mesh::read_file(job.tab_file);
   return {read_edge_files(job.edges), read_tab_file(job.tab_file, tab_file), digest(tab_file)};
 }
 
-job::Options options_with(const FilesBeside& beside, const PaperJob& job, bool guide) {
+job::Options options_with(const FilesBeside& beside, const MakeJob& job, bool guide) {
   job::Options options = job.options;
   options.guide = guide;
   if (!beside.edge_tabs.empty()) {
@@ -296,7 +292,7 @@ job::Options options_with(const FilesBeside& beside, const PaperJob& job, bool g
 
 }  // namespace
 
-Sheets sheets_for(std::span<const Target> targets, const job::Paper& made, const PaperJob& job) {
+Sheets sheets_for(std::span<const Target> targets, const job::Result& made, const MakeJob& job) {
   Sheets sheets{made, made.drawings, made.mark, {}};
   sheets.mark.preset = job.preset.name;
   calibrate(sheets.drawings, job);
@@ -314,7 +310,7 @@ std::size_t page_count(const Target& target, const Sheets& sheets) {
   return target.shows == Shows::cut ? sheets.for_machine.size() : sheets.drawings.size();
 }
 
-std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets, const PaperJob& job) {
+std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets, const MakeJob& job) {
   switch (target.format) {
     case Format::pdf:
       return pdf_of(target, sheets, job);
@@ -339,15 +335,15 @@ std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets
   return {};
 }
 
-bool wants_guide(const PaperJob& job) {
+bool wants_guide(const MakeJob& job) {
   return job.options.guide && !job.preset.is_machine();
 }
 
-PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles& pending,
-                       const job::Listener& listener) {
+MakeResult make_files(const MakeJob& job, const Context& context, PendingFiles& pending,
+                      const job::Listener& listener) {
   const std::vector<Target> targets = checked_targets(job);
   const FilesBeside beside = read_beside(job);
-  PaperResult result;
+  MakeResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
   const std::string digest = model.digest;
@@ -383,9 +379,9 @@ PaperResult make_paper(const PaperJob& job, const Context& context, PendingFiles
   return result;
 }
 
-PaperResult make_pages(const PaperJob& job, const Context& context, const job::Listener& listener) {
+MakeResult make_pages(const MakeJob& job, const Context& context, const job::Listener& listener) {
   const FilesBeside beside = read_beside(job);
-  PaperResult result;
+  MakeResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
   result.made =
@@ -395,7 +391,7 @@ PaperResult make_pages(const PaperJob& job, const Context& context, const job::L
   return result;
 }
 
-PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
+MakeResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles& pending) {
   if (!job.output.empty()) {
     require_no_dash("-o", job.output);
     if (suffix_of(job.output) != ".fold") {
@@ -406,7 +402,7 @@ PaperResult make_nets(const UnfoldJob& job, const Context& context, PendingFiles
     require_no_input(job.output, input_files(job.edges), job.overwrite);
   }
   const EdgeFiles edge_files = read_edge_files(job.edges);
-  PaperResult result;
+  MakeResult result;
   job::StageClock clock;
   mesh::Model model = read_for(job, clock, context);
   if (!job.output.empty()) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files by which a user asks for edges and tabs: pairs of points, nets made before, and tabs.
+// The MODEL of a command line: a file, or "-" for what comes through standard input.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,10 +10,29 @@
 
 #include "cli/files/targets.hpp"
 #include "job/options.hpp"
+#include "mesh/mesh.hpp"
 #include "mesh/model/model.hpp"
 #include "unfold/net/options.hpp"
 
 namespace ridgecraft::cli {
+
+/// ridgecraft-import beside the running program, or in ../libexec/ridgecraft from there; empty where it isn't
+/// installed.
+[[nodiscard]] std::filesystem::path importer_program();
+
+/// What sentences call it: "whale.obj", "standard input".
+[[nodiscard]] std::string shown_name(const std::string& model);
+
+/// What results without a name of their own are named after: "whale"; "model" for standard input.
+[[nodiscard]] std::string results_name(const std::string& model);
+
+/// mesh::read() of either. Nothing lies beside standard input: materials of a model from there are names
+/// only. A folder, a terminal, a device, or nothing at all behind standard input throws
+/// Error(unreadable_input).
+[[nodiscard]] mesh::Model read_model(const std::string& model, const mesh::ReadOptions& options,
+                                     const Context& context);
+
+// Files by which a user asks for edges and tabs: pairs of points, nets made before, and tabs.
 
 /// Files that name edges to be cut or kept; empty: none.
 struct EdgeArguments {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""unfold() and paper(): made from base/option_table.cpp by tests/cli/generated_files_test.cpp."""
+"""unfold() and run(): made from base/option_table.cpp by tests/cli/generated_files_test.cpp."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def unfold(
     return _core.unfold(vertices, faces, options, (whole, title), (threads, seed, time_limit, progress))
 
 
-def paper(
+def run(
     vertices: npt.ArrayLike,
     faces: Any,
     *,
@@ -244,4 +244,4 @@ def paper(
     }
     if unite is not None:
         options["keep_bodies"] = not unite
-    return _core.paper(vertices, faces, options, (whole, title), (threads, seed, time_limit, progress))
+    return _core.run(vertices, faces, options, (whole, title), (threads, seed, time_limit, progress))

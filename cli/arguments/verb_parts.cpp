@@ -1,12 +1,135 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ridgecraft hulls, cage, shell and deform
+#include <string>
+
 #include "base/option_values.hpp"
-#include "cli/arguments/part_options.hpp"
+#include "cli/arguments/options.hpp"
 #include "cli/arguments/shared_options.hpp"
+#include "cli/arguments/verb.hpp"
 #include "cli/arguments/verbs.hpp"
 #include "cli/files/formats.hpp"
 
 namespace ridgecraft::cli {
+namespace {
+
+// How a model is divided into parts: the options of every verb that uses parts for something else than paper.
+
+/// The options as typed.
+struct PartTexts {
+  segment::Options options;  ///< flags
+  std::string concavity, count, effort, volume_weight, holes, components, reading;
+
+  void add_to(Verb& verb);
+  [[nodiscard]] PartArguments checked() const;
+};
+
+void PartTexts::add_to(Verb& verb) {
+  verb.option(
+      "Parts", "--concavity", concavity, "TOLERANCE",
+      "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
+  verb.option(
+      "Parts", "--parts", count, "N",
+      "Give N parts: the finest parts joined, the least concave unions first. In place of "
+      "--concavity, --effort, --volume-weight, --planes, --pockets, --holes, --components and --reading.");
+  verb.option(
+      "Parts", "--effort", effort, "1|2|3",
+      "How much work to spend: 2 and 3 also cut finer pieces and put them together again, and keep the best "
+      "attempt, for fewer parts with smaller hulls in about 4 and 25 times the time (1).");
+  verb.option("Parts", "--volume-weight", volume_weight, "WEIGHT",
+              "Parts to give for a volume ratio (hulls of the parts to the model) less by 1; 0 asks for the "
+              "fewest parts whatever their hulls (0; 5 with --effort 2 and 3 and with --planes).");
+  verb.flag("Parts", "--planes", options.planes,
+            "Cut by planes, too, where that saves more volume than its pieces are worth by --volume-weight: "
+            "cups and boxes without lid become sectors. For other uses than paper.");
+  verb.flag(
+      "Parts", "--pockets", options.pockets,
+      "Leave no pocket: no air deeper than the tolerance under a part's hull. Cups and boxes without lid "
+      "become sectors instead of one part; takes a closed model.");
+  verb.option("Parts", "--holes", holes, "auto|keep|close",
+              "close: small holes of a damaged model don't divide parts, and crumbs join the part that they "
+              "touch; keep: holes are borders; auto: close where the model is full of holes (auto).");
+  verb.option("Parts", "--components", components, "apart|tied",
+              "tied: components that lie apart or run through each other are one object, and a part may hold "
+              "faces of several; apart: each for itself (apart).");
+  verb.option(
+      "Parts", "--reading", reading, "literal|a|b",
+      "For research: how the paper is read. literal: to the letter; a: valleys cross the openings that "
+      "cuts leave; b: and depth is the way out of the hull, parts that can be one are joined (b).");
+}
+
+PartArguments PartTexts::checked() const {
+  PartArguments out;
+  out.options = options;
+  if (!concavity.empty()) {
+    out.options.concavity = job::number_of(option_row("concavity"), "--concavity", concavity);
+  }
+  using segment::Options;
+  out.options.effort = choice_or_refuse<int>("--effort", effort, {{"1", 1}, {"2", 2}, {"3", 3}});
+  out.options.holes = choice_or_refuse<Options::Holes>("--holes", holes,
+                                                       {{"auto", Options::Holes::automatic},
+                                                        {"keep", Options::Holes::keep},
+                                                        {"close", Options::Holes::close}});
+  out.options.components = choice_or_refuse<Options::Components>(
+      "--components", components,
+      {{"apart", Options::Components::apart}, {"tied", Options::Components::tied}});
+  out.options.reading = choice_or_refuse<segment::Reading>(
+      "--reading", reading,
+      {{"b", segment::Reading::b}, {"a", segment::Reading::a}, {"literal", segment::Reading::literal}});
+  if (!volume_weight.empty()) {
+    out.options.volume_weight = number_or_refuse("--volume-weight", volume_weight, 0.0, 1000.0);
+  }
+  if (!count.empty()) {
+    if (!concavity.empty() || !effort.empty() || !volume_weight.empty() || !holes.empty() ||
+        !components.empty() || !reading.empty() || out.options.pockets || out.options.planes) {
+      refuse(
+          "--parts goes with none of --concavity, --effort, --volume-weight, --planes, --pockets, --holes, "
+          "--components and --reading");
+    }
+    out.count = whole_number_or_refuse("--parts", count, 1);
+  }
+  return out;
+}
+
+}  // namespace
+
+// ridgecraft segment
+
+Job build_segment(const Arguments* arguments, Manual* manual) {
+  Verb verb("ridgecraft segment", "cuts a model, as it is, into nearly convex parts (CoRiSe)");
+  verb.usage("ridgecraft segment MODEL [-o PARTS.ply] [--labels PARTS.seg] [options]");
+  verb.example("ridgecraft segment dinosaur.obj -o dinosaur-parts.ply",
+               "The model with every part in a colour of its own.");
+  verb.example("ridgecraft segment dinosaur.obj --labels dinosaur.seg --json",
+               "One part number per polygon of the input.");
+  SegmentJob job;
+  job::AskedOptions asked;
+  PartTexts parts;
+  add_model(verb, job.model);
+  verb.list("Output", "-o,--output", job.outputs, "FILE",
+            "Coloured mesh, .ply or .off. May be given several times.");
+  verb.option(
+      "Output", "--labels", job.labels, "FILE.seg",
+      "One line per polygon of the input, in its order: the part's number, from 0; -1 for a polygon that "
+      "repair dropped.");
+  verb.option("Output", "--hierarchy", job.hierarchy, "FILE.json",
+              "The parts for all tolerances at once: the finest ones, one number per polygon, and which of "
+              "them join at which concavity.");
+  verb.list(
+      "Output", "--compare", job.compare, "FILE.seg",
+      "Another segmentation of the same polygons: how far ours disagrees with it (1 - Rand index, Hamming "
+      "distance, consistency errors, cut discrepancy), and the volume of our parts' hulls. May be given "
+      "several times.");
+  verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
+  parts.add_to(verb);
+  add_common(verb, asked);
+  return verb.finish(arguments, manual, [&]() -> Job {
+    require(job.model, "name the model to segment", "ridgecraft segment");
+    job.common = common_of(asked);
+    job.parts = parts.checked();
+    return job;
+  });
+}
+
+// ridgecraft hulls, cage, shell and deform
 
 Job build_hulls(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft hulls", "one convex hull per nearly convex part, for physics engines");
@@ -22,7 +145,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
   PartTexts parts;
   std::string vertices, unit, density;
   add_model(verb, job.model);
-  verb.option("Output", "-o,--output", job.output, "FILE", ".obj, or .urdf with its meshes beside it.");
+  verb.option("Output", "-o,--output", job.output, "FILE", ".obj, or .urdf with its meshes next to it.");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   verb.option(
       "Hulls", "--max-vertices", vertices, "N",
