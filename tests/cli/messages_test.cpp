@@ -89,7 +89,7 @@ TEST_CASE("each code that the sources name is in the table, and each of the tabl
       CHECK(known.contains((*word)[1]));
     }
   }
-  CHECK(uses > 100);
+  CHECK(uses > 50);
 }
 
 TEST_CASE("kinds that are named by what they are have messages", "[messages]") {
