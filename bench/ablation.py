@@ -53,10 +53,8 @@ inline bool ablation_leaves_out(const char* step) {
 # Step: file, the text that is replaced (once), and what replaces it; OUT stands for the question whether it is left out.
 STEPS = {
     # unfold/
-    "merge_parts": ("unfold/unfold.cpp", "if (rules.merge) {\n      folds_ = merge_parts", "if (rules.merge && !OUT) {\n      folds_ = merge_parts"),
     "mirror_all": ("unfold/unfold.cpp", "if (!context_.out_of_time()) {\n      images_", "if (!OUT && !context_.out_of_time()) {\n      images_"),
-    "better_borders": ("unfold/pieces/better_borders.cpp", "  const std::vector<Group> groups = groups_of(", "  if (OUT) {\n    return folds;\n  }\n  const std::vector<Group> groups = groups_of("),
-    "ragged_pieces": ("unfold/unfold.cpp", "if (!asked_.options.pieces.merge ||", "if (OUT || !asked_.options.pieces.merge ||"),
+    "best_pieces": ("unfold/unfold.cpp", "folds_ = best_pieces(problem_, folds_, images_.edge, context_);", "if (!OUT) folds_ = best_pieces(problem_, folds_, images_.edge, context_);"),
     "better_trees": ("unfold/pieces/better_trees.cpp", "  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort", "  if (OUT) {\n    return folds;\n  }\n  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort"),
     "one_of_each": ("unfold/unfold.cpp", "each_(one_of_each(whole)),", "each_(OUT ? std::nullopt : one_of_each(whole)),"),
     "close_flat_cuts": ("unfold/unfold.cpp", "  close_flat_cuts(", "  if (!OUT) close_flat_cuts("),
@@ -67,7 +65,7 @@ STEPS = {
     "merge_panels": ("unfold/pieces/patch_nets.cpp", "if (best_->cost.pieces > 1) {\n      propose(merge", "if (!OUT && best_->cost.pieces > 1) {\n      propose(merge"),
     "pieces_without_paper": ("unfold/pieces/patch_nets.cpp", "if (room_.sheet && pieces > without.limits)", "if (!OUT && room_.sheet && pieces > without.limits)"),
     "prove": ("unfold/pieces/fewest_pieces.cpp", "  void prove() {\n    if (context_", "  void prove() {\n    if (OUT || context_"),
-    "exact_walk": ("unfold/energy/anneal.cpp", "if (!net.has_tabs() || rules.exact_trials", "if (OUT || !net.has_tabs() || rules.exact_trials"),
+    "exact_half": ("unfold/energy/forest_search.cpp", "if (best_ && state_.tabs && rules_.exact_trials", "if (!OUT && best_ && state_.tabs && rules_.exact_trials"),
     "fit_tabs": ("unfold/tabs_of_nets.cpp", "if (task.options.sheet) {\n    fit_tabs", "if (!OUT && task.options.sheet) {\n    fit_tabs"),
     "improved_tabs": ("unfold/tabs/place/place_tabs.cpp", "auto chosen = assign_tabs(sites, preferred_sides(sites), options,", "auto chosen = assign_tabs(sites, OUT ? decltype(preferred_sides(sites))(preferred_sides(sites).size()) : preferred_sides(sites), options,"),
     "base_tabs": ("unfold/unfold.cpp", "    add_base_tabs(whole_", "    if (!OUT) add_base_tabs(whole_"),
@@ -86,7 +84,6 @@ STEPS = {
     "thin_out": ("prepare/simplify/simplify.cpp", "if (options.mode == Simplification::automatic && is_dense(", "if (!OUT && options.mode == Simplification::automatic && is_dense("),
     "second_power": ("prepare/simplify/body.cpp", "  for (const double power : powers) {\n", "  for (const double power : powers) {\n    if (OUT && best) {\n      break;\n    }\n"),
     "uncrowded": ("prepare/simplify/body.cpp", "while (sequence_.faces_after(count) > many_ && folds", "while (!OUT && sequence_.faces_after(count) > many_ && folds"),
-    "plain_first": ("prepare/simplify/body.cpp", "if (faces_before > far) {", "if (!OUT && faces_before > far) {"),
     "symmetry": ("prepare/domains/find_domain.cpp", "half = half_of(model, all, largest_deviation);", "half = OUT ? std::nullopt : half_of(model, all, largest_deviation);"),
     "shared_twins": ("prepare/domains/find_domain.cpp", "  take_out_twins(domain, model.surface, context);", "  if (!OUT) take_out_twins(domain, model.surface, context);"),
     "attached_bodies": ("prepare/at_size.cpp", "if (simplify.part_attached) {", "if (!OUT && simplify.part_attached) {"),

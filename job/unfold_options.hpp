@@ -21,6 +21,7 @@ namespace ridgecraft::job {
 /// where all faces have one. O(n log n).
 [[nodiscard]] IdVector<FaceId, std::uint32_t> author_labels(const mesh::Model& model);
 
+/// The parts of a surface.
 struct Parts {
   IdVector<FaceId, PartId> of_face;
   bool given_up = false;  ///< there was no time to find them: each component is one part

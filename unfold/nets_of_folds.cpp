@@ -49,7 +49,8 @@ std::vector<std::size_t> extra_pieces(const Causes& causes, const IdVector<FaceI
   return others;
 }
 
-/// What most faces of a part were cut off for; where none was, of all faces.
+/// What most faces of a part were cut off for; where none was, of all faces; its
+/// shape where nothing was.
 PieceReason most_common_reason(const Causes& causes, const IdVector<FaceId, PartId>& part, PartId of) {
   std::map<PieceReason, std::size_t> own;
   std::map<PieceReason, std::size_t> any;
@@ -63,7 +64,7 @@ PieceReason most_common_reason(const Causes& causes, const IdVector<FaceId, Part
     return std::pair(own[a.first], a.second) < std::pair(own[b.first], b.second);
   };
   const auto most = std::max_element(any.begin(), any.end(), less);
-  return most == any.end() ? PieceReason::part : most->first;
+  return most == any.end() ? PieceReason::shape : most->first;
 }
 
 /// Why is each extra piece there? What was cut off in one piece is the reason for one: for the one that has

@@ -23,7 +23,6 @@
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 #include "unfold/tabs_of_nets.hpp"
 
 namespace ridgecraft::unfold {
@@ -111,28 +110,29 @@ class Splitting {
  private:
   /// A tree that folds together, or the given one.
   Folds folding_tree(const Patch& part, const Folds& tree) {
-    ChangingNet net(part, tree, tolerance_);
     const std::size_t panels = panel_count(part);
-    const bool fits = room_.holds(net.hull(), panels);
-    const auto cut_mm = [&](ChangingNet& changed) -> std::optional<double> {
-      if (fits && !room_.holds(changed.hull(), panels)) {
+    const auto fits = [&](const Folds& folds) {
+      const Layout layout = lay_out(part, folds);
+      return room_.holds(hull_of(layout, layout.faces.front()), panels);
+    };
+    const bool fits_now = fits(tree);
+    const auto cut_mm = [&](const Folds& changed) -> std::optional<double> {
+      if (fits_now && !fits(changed)) {
         return std::nullopt;
       }
       double sum = 0.0;
       for (std::size_t side = 0; side < part.length.size(); ++side) {
-        sum += changed.folds()[side] == 0 ? part.length[side] : 0.0;
+        sum += changed[side] == 0 ? part.length[side] : 0.0;
       }
       return sum;
     };
-    fold_freely(net, cut_mm, std::numeric_limits<double>::infinity(), random_.next(), context_);
-    return net.folds();
+    const FreeFoldingRules rules{tolerance_, cut_mm, std::numeric_limits<double>::infinity()};
+    return fold_freely(part, tree, rules, random_.next(), context_).value_or(tree);
   }
 
   [[nodiscard]] std::uint32_t cut_of(const Patch& part, const Folds& tree) const {
-    RootedNet net(part);
-    net.set_tree(tree);
     FoldingMeetings meetings(part);
-    meetings.count(net);
+    meetings.count(tree);
     return best_cut(part, tree, meetings.pairs());
   }
 
@@ -222,8 +222,8 @@ void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& net
       std::count_if(nets.joins.begin(), nets.joins.end(), [](const Join& join) { return join.too_narrow; }));
   const std::size_t usable = tabs_usable(problem.surface, nets, problem.options.tabs);
   std::vector<Message> facts;
-  facts.push_back(
-      Message(split.split_pieces == 0 ? "none_split_for_tabs" : "split_for_tabs", {{"n", split.split_pieces}}));
+  facts.push_back(Message(split.split_pieces == 0 ? "none_split_for_tabs" : "split_for_tabs",
+                          {{"n", split.split_pieces}}));
   if (narrow > 0) {
     facts.push_back(Message("too_narrow_for_tabs", {{"n", narrow}}));
   }

@@ -18,13 +18,11 @@
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/problem.hpp"
-#include "unfold/pieces/better_borders.hpp"
+#include "unfold/pieces/best_pieces.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/fewer_pieces.hpp"
 #include "unfold/pieces/mirror_images.hpp"
-#include "unfold/pieces/part_merging.hpp"
-#include "unfold/pieces/ragged_pieces.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/requested_splits.hpp"
 #include "unfold/tabs_of_nets.hpp"
@@ -80,9 +78,8 @@ class Unfolding {
 
   Nets run() {
     unfold_each_part();
-    merge();
     find_mirror_images();
-    search_borders();
+    search_pieces();
     folds_ = better_trees(problem_, folds_, images_.edge, context_);
     split_for_requests();
     Nets nets = finished_nets();
@@ -98,16 +95,6 @@ class Unfolding {
     part_notes_ = std::move(parts.notes);
   }
 
-  void merge() {
-    const PieceRules& rules = asked_.options.pieces;
-    if (rules.merge) {
-      folds_ = merge_parts(problem_, folds_, context_);
-    }
-    if (rules.merge && rules.mode == PieceMode::few) {
-      folds_ = fewer_pieces(problem_, folds_, context_);
-    }
-  }
-
   void find_mirror_images() {
     if (!context_.out_of_time()) {
       images_ = each_ ? mirror_images_of(whole_, *each_)
@@ -115,16 +102,12 @@ class Unfolding {
     }
   }
 
-  /// Trees and borders of neighbouring pieces, once more where ragged pieces were cut.
-  void search_borders() {
-    folds_ = better_borders(problem_, folds_, images_.edge, Start::anywhere, context_);
-    if (!asked_.options.pieces.merge || context_.out_of_time()) {
-      return;
-    }
-    const Folds cut =
-        with_ragged_pieces_cut(patch_, asked_.part.items(), folds_, asked_.options.pieces.weights, context_);
-    if (blame(patch_, folds_, cut, PieceReason::shape, causes_) > 0) {
-      folds_ = better_borders(problem_, cut, images_.edge, Start::near, context_);
+  /// Where as few pieces as possible are wanted, a body that became several is looked at once more.
+  void search_pieces() {
+    folds_ = best_pieces(problem_, folds_, images_.edge, context_);
+    const PieceRules& rules = asked_.options.pieces;
+    if (rules.merge && rules.mode == PieceMode::few && !context_.out_of_time()) {
+      folds_ = best_pieces(problem_, fewer_pieces(problem_, folds_, context_), images_.edge, context_);
     }
   }
 

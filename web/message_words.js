@@ -57,7 +57,7 @@ export const studioMessages = {
   own_marks: ["{option}: {preset} adds registration marks of its own to what is printed", "{option}: {preset} druckt eigene Passermarken dazu"],
   back_of_machine_file: ["{option} prints on the other side of the sheet, which files of {preset} don't have; without it numbers stand on the pieces", "{option} druckt auf die Rückseite, die Dateien für {preset} nicht haben; ohne das stehen Nummern auf den Teilen"],
   back_of_dxf: ["{option} prints on the other side of the sheet, which DXF and other files for machines don't have", "{option} druckt auf die Rückseite, die DXF und andere Dateien für Maschinen nicht haben"],
-  no_dxf_written: ["{option} tells which DXF, and none is written: name one (-o NAME.dxf) or a preset with DXF ({try})", "{option} sagt, welches DXF, und keines wird geschrieben: nötig sind Dateien mit DXF ({try})"],
+  no_dxf_written: ["{option} says which DXF, and none is written: name one (-o NAME.dxf) or a preset with DXF ({try})", "{option} sagt, welches DXF, und keines wird geschrieben: nötig sind Dateien mit DXF ({try})"],
   page_of_board: ["-o {file} names a page, which shows nets of paper; with --thickness other nets lie on the sheets", "{file} zeigt Abwicklungen aus Papier; mit einer Dicke liegen andere auf den Bögen"],
   edges_and_faces: ["{option} names edges of the model as it is, and {faces} would leave others: give one of the two", "{option} nennt Kanten des Modells, wie es ist, und {faces} ließe andere übrig: nur eines von beiden geht"],
   paper_side: ["paper '{text}' has a side of {mm} mm", "Papier „{text}“ hat eine Seite von {mm} mm"],

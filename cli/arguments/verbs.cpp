@@ -11,7 +11,7 @@ namespace ridgecraft::cli {
 namespace {
 
 /// Trials for tabs where they are what was asked for: 1 to 2 s for 500 faces.
-constexpr double patient_trials_per_face = 4000.0;
+constexpr double patient_trials_per_face = 10'000.0;
 
 job::Options usual_options() {
   job::Options usual;

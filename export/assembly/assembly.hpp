@@ -11,11 +11,14 @@
 
 namespace ridgecraft::export_ {
 
+/// Which pieces are glued to which, and how long the seams are.
 struct SeamGraph {
+  /// What a piece is glued to another one along.
   struct Seam {
     PieceId other;
     double length_mm = 0.0;
   };
+  /// A piece.
   struct Node {
     std::vector<Seam> seams;  ///< with other pieces, ascending
     double seam_mm = 0.0;     ///< of all these

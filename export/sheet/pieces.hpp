@@ -39,6 +39,7 @@ struct PieceKind {
 /// between them": at most `most` names of either.
 [[nodiscard]] std::string kind_words(const unfold::Nets& nets, const PieceKind& kind, std::size_t most);
 
+/// A piece that another one is glued to.
 struct Neighbour {
   PieceId piece;
   std::vector<std::uint32_t> numbers;  ///< of the joins with it, as printed; ascending, each once

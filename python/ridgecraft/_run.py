@@ -160,7 +160,7 @@ def run(
     unit: Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with scale.
     simplify: How many faces to keep: auto simplifies a model whose edges would be too short to fold, keep never does, a
         number simplifies to that many (auto).
-    strict: Write nothing, with exit code 9, where nobody could fold the model at this size.
+    strict: Write nothing, with exit code 9, where the model can't be folded by hand at this size.
     sheet: A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as
         300x200mm (A4).
     margin: What the printer can't reach, on all four sides (10mm).
@@ -178,8 +178,8 @@ def run(
     tab_shadow: Thin lines on the faces behind which tabs come to lie.
     all_tabs: Split pieces further until every edge with a face wide enough behind it has a glue tab.
     hide_folds: Draw no line where the surface is folded by less than this (3).
-    numbers: Where the numbers of edges stand: on the pieces and their tabs; on tabs, and beside the piece at edges
-        without one; beside the pieces; on the back of the paper, which the PDF gets pages for (inside).
+    numbers: Where the numbers of edges stand: on the pieces and their tabs; on tabs, and next to the piece at edges
+        without one; next to the pieces; on the back of the paper, which the PDF gets pages for (inside).
     duplex: With numbers back: over which edge the printer turns the sheets (long).
     ink: Print the model's colours and pictures, print them as light tints, or print lines alone (colour; lines with a
         machine's preset).
@@ -193,12 +193,12 @@ def run(
         small: small ones (parts).
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
-        terms: seam=1: a mm of seam to glue; bare=2: a mm of seam without room for a tab; slits=2: a mm of seam that
+        terms: seam=1: a mm of seam to glue; bare=2.5: a mm of seam without room for a tab; slits=2: a mm of seam that
         hardly opens; mirror=1.5: a mm of seam whose mirror image is none; bands=1: a mm of seam across a strip that
         goes round, beyond its first seam; open=0.1: a mm of seam on smooth places; borders=0.7: a mm of fold where
-        colours, materials or objects of the model meet; compact=4: a cm2 inside a piece's hull that is no paper;
+        colours, materials or objects of the model meet; compact=4.5: a cm2 inside a piece's hull that is no paper;
         outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a mm by which what hangs on a neck is
-        wider than three times the neck; pieces=350: a piece; parts=200: a further part in a piece; small=1200: a piece
+        wider than three times the neck; pieces=320: a piece; parts=50: a further part in a piece; small=1200: a piece
         under 30 mm; panels=800: the square of a piece's flat faces, over 80.
     fold_linear: For sheets that fold themselves: every piece folds up with all creases moving together and no face
         running through another; pieces are split where no net does.

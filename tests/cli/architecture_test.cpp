@@ -80,7 +80,7 @@ const std::vector<Folder>& folders() {
         {"tabs/shape", {"net"}},
         {"tabs/place", {"net", "patch", "tabs/shape"}},
         {"tabs/trees", {"net", "patch", "search", "tabs/shape", "tabs/place"}},
-        {"folding", {"net", "patch", "search", "tabs/trees"}},
+        {"folding", {"net", "patch", "search"}},
         {"energy", {"net", "patch", "search", "tabs/shape", "tabs/trees", "folding"}},
         {"pieces", {"net", "patch", "search", "tabs/place", "tabs/trees", "energy", "folding"}}},
        {"unfold.hpp", "edits.hpp", "panel_parts.hpp", "tabs_of_nets.hpp", "net/nets.hpp", "net/options.hpp",

@@ -167,7 +167,7 @@ TEST_CASE("the summary tells what is done with a machine's files", "[machine_opt
   };
   CHECK(told({"--preset", "laser"}).find(" to the machine at 100 % (it allows for 0.1 mm of kerf") !=
         std::string::npos);
-  CHECK(told({"--preset", "plotter"}).find("to the machine at 100 %; -v") != std::string::npos);
+  CHECK(told({"--preset", "plotter"}).find("to the machine at 100 %; ") != std::string::npos);
   CHECK(told({"--preset", "origami-simulator"}).find("into the simulator") != std::string::npos);
   CHECK(told({"-o", "house.dxf"}).find("machine") == std::string::npos);
 }

@@ -69,6 +69,7 @@ TEST_CASE("pages along the paper's grain pass the check of their files, which te
   export_::Paper sheet;
   sheet.grain = export_::Grain::long_side;
   options.paper = sheet;
+  options.size.largest_extent_mm = 80.0;  // so that each piece fits either way
   const job::Result paper = job::run(house(), options, {});
   CHECK(paper.fold.find("\"grain\": \"long\"") != std::string::npos);
   const auto lines = export_::fold_directions(paper.prepared.model.surface, paper.nets);

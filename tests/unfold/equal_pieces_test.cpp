@@ -164,11 +164,20 @@ TEST_CASE("mirror images that are glued to each other are equal but for tabs", "
   unfold::Options options;
   options.sheet.reset();
   options.pieces.mode = unfold::PieceMode::parts;
-  const unfold::Nets nets = unfold::unfold(head, test::no_panels(head), part, options, {});
-  CHECK(test::faults_of(head, nets, options).empty());
-  REQUIRE(nets.pieces.size() == 3);
-  REQUIRE(nets.equal.size() == 1);
-  REQUIRE(nets.equal[0].size() == 2);
-  CHECK(nets.equal[0][1].mirrored);
-  CHECK(nets.equal[0][1].other_tabs);
+  // The search needn't end symmetric, but often does.
+  std::size_t symmetric = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    Context context;
+    context.seed = seed;
+    const unfold::Nets nets = unfold::unfold(head, test::no_panels(head), part, options, context);
+    CHECK(test::faults_of(head, nets, options).empty());
+    REQUIRE(nets.pieces.size() == 3);
+    if (!nets.equal.empty()) {
+      REQUIRE(nets.equal[0].size() == 2);
+      CHECK(nets.equal[0][1].mirrored);
+      CHECK(nets.equal[0][1].other_tabs);
+      ++symmetric;
+    }
+  }
+  CHECK(symmetric >= 3);
 }

@@ -24,6 +24,16 @@ using unfold::FoldMotion;
 
 namespace {
 
+/// The faces that a swap carries.
+std::vector<std::uint32_t> moved_by(const unfold::RootedNet& net, const unfold::Swap& swap) {
+  const unfold::RootedNet::Span span = net.moved_span(swap.below);
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t i = 0; i < span.count; ++i) {
+    faces.push_back(net.face_in(span, i));
+  }
+  return faces;
+}
+
 /// A net found with no thought of folding, from a start of long strips; without folds where there is none.
 std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& surface, std::uint64_t seed) {
   unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
@@ -48,7 +58,7 @@ struct CountedNet {
       : patch(std::move(found.first)), net(patch), meetings(patch) {
     REQUIRE_FALSE(found.second.empty());
     net.set_tree(found.second);
-    meetings.count(net);
+    meetings.count(net.folds());
   }
 };
 
@@ -127,19 +137,18 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
       ++stuck;
       // Trees with shorter cuts cost less.
       const auto freed_for = [&](double worth) {
-        unfold::ChangingNet changing(patch, net.folds, search.tolerance);
-        const auto cost = [&](unfold::ChangingNet& of) -> std::optional<double> {
+        const auto cost = [&](const unfold::Folds& tree) -> std::optional<double> {
           double sum = 0.0;
           for (std::size_t side = 0; side < patch.length.size(); ++side) {
-            sum += of.folds()[side] == 0 ? patch.length[side] : 0.0;
+            sum += tree[side] == 0 ? patch.length[side] : 0.0;
           }
           return sum;
         };
-        const double given = *cost(changing);
-        const bool changed = unfold::fold_freely(changing, cost, worth, seed, {});
-        CHECK(changed == (changing.folds() != net.folds));
-        CHECK((!changed || *cost(changing) <= given + worth));
-        return changing.folds();
+        const std::optional<unfold::Folds> changed =
+            unfold::fold_freely(patch, net.folds, {search.tolerance, cost, worth}, seed, {});
+        CHECK((!changed || *changed != net.folds));
+        CHECK((!changed || *cost(*changed) <= *cost(net.folds) + worth));
+        return changed.value_or(net.folds);
       };
       const unfold::Folds other = freed_for(1e9);
       CHECK(unfold::lay_out(patch, other).faces.size() == 1);
@@ -208,12 +217,12 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
       if (!swap) {
         continue;
       }
-      const std::size_t after = meetings.after(net, *swap, 100000);
+      const std::size_t after = meetings.after(moved_by(net, *swap), swap->side, 100000);
       for (const std::size_t limit : {std::size_t{1}, after, after + 1}) {
-        CHECK(meetings.after(net, *swap, limit) == std::min(limit, after));
+        CHECK(meetings.after(moved_by(net, *swap), swap->side, limit) == std::min(limit, after));
       }
       if (random.below(3) > 0) {
-        meetings.keep(net);
+        meetings.keep(net.folds());
         net.swap(swap->below, swap->side);
         CHECK(meetings.total() == after);
       }
@@ -232,13 +241,13 @@ TEST_CASE("meetings stay as they are counted afresh over thousands of swaps", "[
     const std::uint32_t f = random.below(patch.size());
     const auto swap = unfold::draw_swap_between(f, random.below(patch.size()), net, branch, random);
     if (swap) {
-      static_cast<void>(meetings.after(net, *swap, 1'000'000));
-      meetings.keep(net);
+      static_cast<void>(meetings.after(moved_by(net, *swap), swap->side, 1'000'000));
+      meetings.keep(net.folds());
       net.swap(swap->below, swap->side);
     }
   }
   auto kept = meetings.pairs();
-  meetings.count(net);
+  meetings.count(net.folds());
   auto counted = meetings.pairs();
   std::sort(kept.begin(), kept.end());
   std::sort(counted.begin(), counted.end());

@@ -11,7 +11,7 @@
 #include "base/geometry.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
-#include "unfold/energy/piece_cost.hpp"
+#include "unfold/energy/forest_energy.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/layout.hpp"
@@ -270,27 +270,6 @@ TEST_CASE("a part of a patch is the patch of the part", "[pieces]") {
   CHECK(back == folds);
 }
 
-TEST_CASE("no tree of a piece costs less than the least that is told", "[pieces]") {
-  const mesh::Surface s = scaled(test::cube(), 10.0);
-  const std::vector<std::uint32_t> labels = [&] {
-    std::vector<std::uint32_t> result(s.face_count(), 0);
-    std::fill(result.begin(), result.begin() + 5, 1U);
-    return result;
-  }();
-  const unfold::Patch cube = test::whole_patch(s, test::flat_panels(s), labels);
-  Random random(5);
-  for (int i = 0; i < 50; ++i) {
-    unfold::Weights weights;
-    for (const std::string_view name : unfold::term_names()) {
-      // Seams at borders and in hollows may be wanted so much that they cost less than nothing.
-      *unfold::weight_named(weights, name) = 10.0 * random.unit();
-    }
-    const unfold::Folds tree = unfold::start_tree(cube, unfold::StartTree::breadth_first, random);
-    CHECK(unfold::least_cost_of_piece(cube, 2, weights) <=
-          unfold::cost_of_piece(cube, tree, 2, weights) + 1e-9);
-  }
-}
-
 TEST_CASE("each term of the objective has a name, and costs what it says", "[pieces]") {
   unfold::Weights weights;
   for (const std::string_view name : unfold::term_names()) {
@@ -302,12 +281,20 @@ TEST_CASE("each term of the objective has a name, and costs what it says", "[pie
   const unfold::Patch cube = test::whole_patch(s, test::flat_panels(s));
   Random random(1);
   const unfold::Folds tree = unfold::start_tree(cube, unfold::StartTree::breadth_first, random);
-  CHECK(unfold::cost_of_piece(cube, tree, 3, weights) == 0.0);
+  unfold::Forest forest(cube);
+  forest.set_folds(tree);
+  std::vector<std::uint32_t> part(cube.size(), 0);
+  part[1] = 1;
+  part[5] = 2;
+  const unfold::Room anywhere;
+  const auto cost = [&](const unfold::Weights& weighed) {
+    return unfold::ForestEnergy(forest, part, {}, anywhere, weighed).total();
+  };
+  CHECK(cost(weights) == 0.0);
   const auto only = [&](std::string_view name) {
     unfold::Weights one = weights;
     *unfold::weight_named(one, name) = 1.0;
-    CHECK(unfold::least_cost_of_piece(cube, 3, one) <= unfold::cost_of_piece(cube, tree, 3, one));
-    return unfold::cost_of_piece(cube, tree, 3, one);
+    return cost(one);
   };
   CHECK(only("seam") == Approx(70.0));  // seven edges of 10 mm
   CHECK(only("pieces") == Approx(1.0));

@@ -7,7 +7,7 @@
 
 #include "base/random.hpp"
 #include "support/shapes.hpp"
-#include "unfold/energy/piece_cost.hpp"
+#include "unfold/energy/tree_shape.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/tabs/place/sites.hpp"
@@ -61,13 +61,12 @@ TEST_CASE("a branch that hangs by a thread is dear in every search", "[energy]")
       folds[side] = patch.twin[side] != unfold::nothing ? 1 : 0;
     }
     const double dear = width < unfold::thread_mm ? unfold::thread_cost : 0.0;
-    CHECK(unfold::cost_of_piece(patch, folds, unfold::one_part, thin) == Approx(dear));
-    unfold::RootedNet net(patch);
-    net.set_tree(folds);
+    unfold::Forest forest(patch);
+    forest.set_folds(folds);
     const unfold::Room room{};
-    unfold::PieceShape shape(patch, room, thin);
+    unfold::TreeShape shape(patch, {}, room, thin);
     for (std::uint32_t root = 0; root < 3; ++root) {
-      CHECK(shape.measure(net, folds, root, nullptr, {}).cost == Approx(dear));
+      CHECK(shape.measure(forest, folds, root, nullptr).cost == Approx(dear));
     }
   }
 }

@@ -139,22 +139,23 @@ TEST_CASE("the pages of the samples show their nets, as SVG and as PDF", "[pages
 
 TEST_CASE("both formats have the same lines", "[pages]") {
   const test::WrittenJob& job = test::whale();
-  REQUIRE(job.svg.size() == 2);
-  REQUIRE(job.pdf.at(0).pages.size() == 2);
-  for (std::size_t p = 0; p < 2; ++p) {
-    for (const PrintedLayer layer :
-         {PrintedLayer::cut, PrintedLayer::mountain, PrintedLayer::valley, PrintedLayer::tab_fold}) {
-      const auto total = [&](const PrintedPage& of) {
-        double sum = 0.0;
-        for (const PrintedLine& l : of.lines) {
-          sum += l.layer == layer ? length_of(l) : 0.0;
-        }
-        return sum;
-      };
+  REQUIRE(job.svg.size() == job.pdf.at(0).pages.size());
+  for (const PrintedLayer layer :
+       {PrintedLayer::cut, PrintedLayer::mountain, PrintedLayer::valley, PrintedLayer::tab_fold}) {
+    const auto total = [&](const PrintedPage& of) {
+      double sum = 0.0;
+      for (const PrintedLine& l : of.lines) {
+        sum += l.layer == layer ? length_of(l) : 0.0;
+      }
+      return sum;
+    };
+    double all = 0.0;
+    for (std::size_t p = 0; p < job.svg.size(); ++p) {
       const double in_svg = total(job.svg[p].pages.at(0));
-      CHECK(in_svg > 5.0);
       CHECK(total(job.pdf[0].pages[p]) == Approx(in_svg).epsilon(1e-4));
+      all += in_svg;
     }
+    CHECK(all > 5.0);
   }
 }
 

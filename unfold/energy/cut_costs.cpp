@@ -105,6 +105,9 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
 }
 
 void CutCosts::set_cut(std::uint32_t side, std::uint8_t cut) {
+  if (side == nothing) {
+    return;
+  }
   cut_[side] = cut;
   if (patch_.twin[side] != nothing) {
     cut_[patch_.twin[side]] = cut;
@@ -142,7 +145,7 @@ void CutCosts::set_tree(const Folds& folds) {
 
 /// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
 double CutCosts::unevenness(std::uint32_t side) const {
-  return is_uneven(side) ? mirror_price(side) : 0.0;
+  return side != nothing && is_uneven(side) ? mirror_price(side) : 0.0;
 }
 
 void CutCosts::weigh_mirror(double times) {
@@ -164,10 +167,10 @@ double CutCosts::change_of_bands() const {
   if (bands_.empty()) {
     return 0.0;
   }
-  const std::uint32_t closed = bands_.band[changed_cut_];
-  const std::uint32_t opened = bands_.band[changed_fold_];
-  const double less = patch_.length[changed_cut_];
-  const double more = patch_.length[changed_fold_];
+  const std::uint32_t closed = band_of(changed_cut_);
+  const std::uint32_t opened = band_of(changed_fold_);
+  const double less = changed_cut_ == nothing ? 0.0 : patch_.length[changed_cut_];
+  const double more = changed_fold_ == nothing ? 0.0 : patch_.length[changed_fold_];
   if (closed == opened) {
     return closed == nothing
                ? 0.0
@@ -242,6 +245,9 @@ CutCosts::Cost CutCosts::cost_of(std::uint32_t join) const {
 
 /// Notes a cut that is to be rated anew.
 void CutCosts::note(std::uint32_t side) {
+  if (side == nothing) {
+    return;
+  }
   const std::uint32_t join = join_of(side);
   if (std::find(changed_.begin(), changed_.end(), join) == changed_.end()) {
     changed_.push_back(join);
@@ -250,6 +256,9 @@ void CutCosts::note(std::uint32_t side) {
 
 /// Notes the cuts that meet this one on the outline.
 void CutCosts::note_neighbours(std::uint32_t side) {
+  if (side == nothing) {
+    return;
+  }
   for (const std::uint32_t s : {side, patch_.twin[side]}) {
     std::uint32_t at = next_side(s);
     while (cut_[at] == 0) {
@@ -266,6 +275,9 @@ void CutCosts::note_neighbours(std::uint32_t side) {
 
 /// Notes the cuts whose tabs need this edge to be a fold.
 void CutCosts::note_behind(std::uint32_t join) {
+  if (join == nothing) {
+    return;
+  }
   for (const std::uint32_t other : behind_[join]) {
     if (cut_[other] != 0) {
       note(other);
@@ -275,12 +287,13 @@ void CutCosts::note_behind(std::uint32_t join) {
 
 double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   changed_.clear();
-  changed_cut_ = join_of(cut);
-  changed_fold_ = join_of(fold);
+  changed_cut_ = cut == nothing ? nothing : join_of(cut);
+  changed_fold_ = fold == nothing ? nothing : join_of(fold);
   note(cut);
   note_neighbours(cut);
-  const bool both_are_a_pair =
-      !mirror_.empty() && mirror_[changed_cut_] != nothing && join_of(mirror_[changed_cut_]) == changed_fold_;
+  const bool both_are_a_pair = !mirror_.empty() && changed_cut_ != nothing &&
+                               mirror_[changed_cut_] != nothing &&
+                               join_of(mirror_[changed_cut_]) == changed_fold_;
   double mirror = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
   set_cut(cut, 0);
   set_cut(fold, 1);
@@ -309,10 +322,10 @@ void CutCosts::keep() {
   total_ += sum_;
   bare_ += bare_sum_;
   if (!bands_.empty()) {
-    if (const std::uint32_t closed = bands_.band[changed_cut_]; closed != nothing) {
+    if (const std::uint32_t closed = band_of(changed_cut_); closed != nothing) {
       cut_mm_[closed] -= patch_.length[changed_cut_];
     }
-    if (const std::uint32_t opened = bands_.band[changed_fold_]; opened != nothing) {
+    if (const std::uint32_t opened = band_of(changed_fold_); opened != nothing) {
       cut_mm_[opened] += patch_.length[changed_fold_];
     }
   }

@@ -65,8 +65,8 @@ class CutCosts {
   [[nodiscard]] bool is_uneven(std::uint32_t side) const {
     return !mirror_.empty() && mirror_[side] != nothing && cut_[side] != cut_[mirror_[side]];
   }
-  /// What making `cut` a fold and `fold` a cut adds to total(). Must be followed by keep() or drop(). O(1)
-  /// for vertices of ordinary valence.
+  /// What making `cut` a fold and `fold` a cut adds to total(); either may be nothing. Must be followed by
+  /// keep() or drop(). O(1) for vertices of ordinary valence.
   [[nodiscard]] double change(std::uint32_t cut, std::uint32_t fold);
   /// How much of the last change() is due to room for tabs.
   [[nodiscard]] double change_of_bare() const { return bare_sum_; }
@@ -108,6 +108,9 @@ class CutCosts {
 
   [[nodiscard]] std::uint32_t join_of(std::uint32_t side) const {
     return patch_.twin[side] < side ? patch_.twin[side] : side;
+  }
+  [[nodiscard]] std::uint32_t band_of(std::uint32_t side) const {
+    return side == nothing ? nothing : bands_.band[side];
   }
   void set_cut(std::uint32_t side, std::uint8_t cut);
   [[nodiscard]] Ends ends_of(std::uint32_t side) const;

@@ -15,6 +15,7 @@
 #include "base/random.hpp"
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/fold_order.hpp"
+#include "unfold/patch/layout.hpp"
 #include "unfold/search/overlap_pairs.hpp"
 
 namespace ridgecraft::unfold {
@@ -78,15 +79,15 @@ void FoldingMeetings::find_plates() {
   }
 }
 
-void FoldingMeetings::count(const RootedNet& net) {
+void FoldingMeetings::count(const Folds& tree) {
   if (!knows_always_) {
-    find_always(net);
+    find_always(tree);
   }
-  place_all(net);
+  place_all(tree);
   pairs_.clear();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> hinged;
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    if (net.folds()[side] != 0) {
+    if (tree[side] != 0) {
       hinged.emplace_back(plate_[side / 3], plate_[patch_.twin[side] / 3]);
     }
   }
@@ -104,13 +105,13 @@ void FoldingMeetings::count(const RootedNet& net) {
 }
 
 /// The folded piece is the same whatever its tree.
-void FoldingMeetings::find_always(const RootedNet& net) {
-  const FoldMotion motion(flat_piece(patch_, net.folds()));
+void FoldingMeetings::find_always(const Folds& tree) {
+  const FoldMotion motion(flat_piece(patch_, tree));
   always_ = FoldTrial(motion, {}).always();
   knows_always_ = true;
 }
 
-void FoldingMeetings::place_all(const RootedNet& net) {
+void FoldingMeetings::place_all(const Folds& tree) {
   std::vector<std::uint8_t> placed(patch_.size(), 0);
   std::vector<std::uint32_t> open{0};
   frame_[0] = {};
@@ -119,7 +120,7 @@ void FoldingMeetings::place_all(const RootedNet& net) {
     const std::uint32_t f = open[i];
     settle(f);
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      const std::uint32_t g = net.folds()[side] != 0 ? patch_.twin[side] / 3 : f;
+      const std::uint32_t g = tree[side] != 0 ? patch_.twin[side] / 3 : f;
       if (placed[g] == 0) {
         placed[g] = 1;
         for (std::size_t t = 0; t < samples; ++t) {
@@ -191,10 +192,8 @@ bool FoldingMeetings::meets(std::uint32_t f, const Samples<Motion>* motion, std:
 }
 
 /// How what a swap moves moves, in every sample.
-FoldingMeetings::Samples<Motion> FoldingMeetings::motions(const RootedNet& net, const Swap& swap) {
-  const std::uint32_t twin = patch_.twin[swap.side];
-  const bool side_moves = net.in_span(net.moved_span(swap.below), swap.side / 3);
-  new_fold_ = side_moves ? twin : swap.side;
+FoldingMeetings::Samples<Motion> FoldingMeetings::motions(std::uint32_t side) {
+  new_fold_ = moves_[side / 3] != 0 ? patch_.twin[side] : side;
   const std::uint32_t inside = patch_.twin[new_fold_];
   Samples<Motion> motion;
   for (std::size_t t = 0; t < samples; ++t) {
@@ -204,12 +203,11 @@ FoldingMeetings::Samples<Motion> FoldingMeetings::motions(const RootedNet& net, 
 }
 
 /// The pairs that a swap makes meet, no more than `limit`.
-void FoldingMeetings::find_made(const RootedNet& net, const Swap& swap, std::size_t limit) {
+void FoldingMeetings::find_made(std::uint32_t side, std::size_t limit) {
   made_.clear();
-  motion_ = motions(net, swap);
-  const RootedNet::Span moved = net.moved_span(swap.below);
-  const std::uint32_t hinged_f = plate_[swap.side / 3];
-  const std::uint32_t hinged_g = plate_[patch_.twin[swap.side] / 3];
+  motion_ = motions(side);
+  const std::uint32_t hinged_f = plate_[side / 3];
+  const std::uint32_t hinged_g = plate_[patch_.twin[side] / 3];
   const auto hinged = [&](std::uint32_t f, std::uint32_t g) {
     return (plate_[f] == hinged_f && plate_[g] == hinged_g) ||
            (plate_[f] == hinged_g && plate_[g] == hinged_f);
@@ -224,9 +222,8 @@ void FoldingMeetings::find_made(const RootedNet& net, const Swap& swap, std::siz
       centres.y[t] = static_cast<float>(centre.y);
       centres.z[t] = static_cast<float>(centre.z);
     }
-    for (std::uint32_t i = moved.count; i < net.size(); ++i) {
-      const std::uint32_t g = net.face_in(moved, i);
-      const std::uint64_t looks = near(f, centres, g);
+    for (std::uint32_t g = 0; g < patch_.size(); ++g) {
+      const std::uint64_t looks = moves_[g] != 0 ? 0 : near(f, centres, g);
       if (looks != 0 && !hinged(f, g) && !always(f, g) && meets(f, &motion_, g, looks)) {
         made_.push_back(std::minmax(f, g));
         if (made_.size() >= limit) {
@@ -237,15 +234,14 @@ void FoldingMeetings::find_made(const RootedNet& net, const Swap& swap, std::siz
   }
 }
 
-std::size_t FoldingMeetings::after(const RootedNet& net, const Swap& swap, std::size_t limit) {
-  const RootedNet::Span moved = net.moved_span(swap.below);
+std::size_t FoldingMeetings::after(std::span<const std::uint32_t> moved, std::uint32_t side,
+                                   std::size_t limit) {
   for (const std::uint32_t f : moved_) {
     moves_[f] = 0;
   }
-  moved_.clear();
-  for (std::uint32_t i = 0; i < moved.count; ++i) {
-    moved_.push_back(net.face_in(moved, i));
-    moves_[moved_.back()] = 1;
+  moved_.assign(moved.begin(), moved.end());
+  for (const std::uint32_t f : moved_) {
+    moves_[f] = 1;
   }
   const auto lost = static_cast<std::size_t>(
       std::count_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return is_across(pair); }));
@@ -253,11 +249,11 @@ std::size_t FoldingMeetings::after(const RootedNet& net, const Swap& swap, std::
   if (kept >= limit) {
     return limit;
   }
-  find_made(net, swap, limit - kept);
+  find_made(side, limit - kept);
   return kept + made_.size();
 }
 
-void FoldingMeetings::keep(const RootedNet& net) {
+void FoldingMeetings::keep(const Folds& tree) {
   pairs_.erase(
       std::remove_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return is_across(pair); }),
       pairs_.end());
@@ -270,7 +266,7 @@ void FoldingMeetings::keep(const RootedNet& net) {
     const std::uint32_t f = patch_.twin[above] / 3;
     settle(f);
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      if (side != patch_.twin[above] && net.folds()[side] != 0 && moves_[patch_.twin[side] / 3] != 0) {
+      if (side != patch_.twin[above] && tree[side] != 0 && moves_[patch_.twin[side] / 3] != 0) {
         place_beyond(side);
       }
     }
@@ -328,7 +324,7 @@ class FreeFolding {
   /// Whether so few faces of the given tree meet that a walk may arrive.
   [[nodiscard]] bool may_arrive() {
     net_.set_tree(tree_);
-    meetings_.count(net_);
+    meetings_.count(net_.folds());
     return meetings_.total() <= most_meetings_per_face * piece_.size();
   }
 
@@ -336,7 +332,7 @@ class FreeFolding {
   bool walk(std::size_t draws) {
     net_.set_tree(tree_);
     overlaps_.find_all();
-    meetings_.count(net_);
+    meetings_.count(net_.folds());
     longer_mm_ = 0.0;
     for (drawn_ = 0; drawn_ < draws && !done(); ++drawn_) {
       if (drawn_ % draws_per_look == 0) {
@@ -384,9 +380,14 @@ class FreeFolding {
       return;
     }
     const std::size_t limit = static_cast<std::size_t>(left) + 1;
-    if (meetings_.after(net_, *swap, limit) < limit) {
+    const RootedNet::Span half = net_.moved_span(swap->below);
+    moved_.clear();
+    for (std::uint32_t i = 0; i < half.count; ++i) {
+      moved_.push_back(net_.face_in(half, i));
+    }
+    if (meetings_.after(moved_, swap->side, limit) < limit) {
       overlaps_.swap(swap->below, swap->side);
-      meetings_.keep(net_);
+      meetings_.keep(net_.folds());
       longer_mm_ += longer;
     }
   }
@@ -399,15 +400,15 @@ class FreeFolding {
   RootedNet net_;
   OverlapPairs overlaps_;
   FoldingMeetings meetings_;
+  std::vector<std::uint32_t> moved_;  ///< space to work in
   std::size_t drawn_ = 0;
   double longer_mm_ = 0.0;
 };
 
 /// Trees that fold together, the one with the shortest cuts first.
-std::vector<Folds> trees_that_fold(const ChangingNet& net, std::uint64_t seed, const Context& context) {
-  const Patch& piece = net.patch();
-  const Folds& given = net.folds();
-  FreeFolding search(piece, given, net.tolerance(), seed, context);
+std::vector<Folds> trees_that_fold(const Patch& piece, const Folds& given, double tolerance,
+                                   std::uint64_t seed, const Context& context) {
+  FreeFolding search(piece, given, tolerance, seed, context);
   std::vector<std::pair<double, Folds>> found;
   std::size_t draws = search.may_arrive() ? std::min(most_draws, draws_times_faces / piece.size()) : 0;
   while (draws > 0 && found.size() < most_arrivals && !context.out_of_time()) {
@@ -434,27 +435,24 @@ bool folds_together(const Patch& piece, const Folds& tree, const Context& contex
   return FoldTrial(motion, context).together_works();
 }
 
-bool fold_freely(ChangingNet& net, const CostOfNet& cost, double worth, std::uint64_t seed,
-                 const Context& context) {
-  const Patch& piece = net.patch();
-  if (piece.size() > most_faces || folds_together(piece, net.folds(), context)) {
-    return false;
+std::optional<Folds> fold_freely(const Patch& piece, const Folds& given, const FreeFoldingRules& rules,
+                                 std::uint64_t seed, const Context& context) {
+  if (piece.size() > most_faces || folds_together(piece, given, context)) {
+    return std::nullopt;
   }
-  const Folds given = net.folds();
-  std::vector<Folds> trees = trees_that_fold(net, seed, context);
+  std::vector<Folds> trees = trees_that_fold(piece, given, rules.tolerance, seed, context);
   trees.resize(std::min(trees.size(), looked_at));
-  double least = cost(net).value_or(std::numeric_limits<double>::infinity()) + worth;
-  const Folds* best = nullptr;
-  for (const Folds& tree : trees) {
-    net.set_tree(tree);
-    const std::optional<double> costs = cost(net);
-    if (costs && *costs <= least && net.is_clean() && folds_together(piece, tree, context)) {
+  double least = rules.cost(given).value_or(std::numeric_limits<double>::infinity()) + rules.worth;
+  std::optional<Folds> best;
+  for (Folds& tree : trees) {
+    const std::optional<double> costs = rules.cost(tree);
+    if (costs && *costs <= least && find_overlaps(lay_out(piece, tree), rules.tolerance).empty() &&
+        folds_together(piece, tree, context)) {
       least = *costs;
-      best = &tree;
+      best = std::move(tree);
     }
   }
-  net.set_tree(best != nullptr ? *best : given);
-  return best != nullptr;
+  return best;
 }
 
 }  // namespace ridgecraft::unfold

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,30 +19,30 @@
 #include "unfold/search/overlap_pairs.hpp"
 #include "unfold/search/rooted_net.hpp"
 #include "unfold/search/tree_search.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 
-/// For any search among the trees of one patch, which must outlive it: `count` once, `after` for each swap
+/// For any search among the trees of one patch, which must outlive it: `count` once, `after` for each change
 /// that is thought of and not yet made, `keep` for each that stays. Faces meet as FoldTrial has it
 /// (fold_order.hpp), at the same samples. What lies on one side of a fold that leaves the tree moves as it
-/// did before, so a swap is told by the pairs across it alone.
+/// did before, so a change is described by the pairs across it alone.
 class FoldingMeetings {
  public:
   explicit FoldingMeetings(const Patch& patch);
 
   /// Looks at this tree afresh. O(n^2) balls of faces, and what comes near each other.
-  void count(const RootedNet& net);
+  void count(const Folds& tree);
   /// Pairs of the net as it is.
   [[nodiscard]] std::size_t total() const { return pairs_.size(); }
   [[nodiscard]] const FacePairs& pairs() const { return pairs_; }
 
-  /// How many pairs the net would have after a swap; `limit` where it were that many or more. O(faces moved ·
-  /// the others): about 0.02 ms for a piece of 50 faces.
-  [[nodiscard]] std::size_t after(const RootedNet& net, const Swap& swap, std::size_t limit);
-  /// Takes the swap that was asked about last for made; its answer must have been below its limit. The net
-  /// may have made it or not yet. O(faces moved + pairs).
-  void keep(const RootedNet& net);
+  /// How many pairs there would be after a swap that carries `moved` faces over the new fold `side`; `limit`
+  /// where it were that many or more. O(faces moved * the others): about 0.02 ms for a piece of 50 faces.
+  [[nodiscard]] std::size_t after(std::span<const std::uint32_t> moved, std::uint32_t side,
+                                  std::size_t limit);
+  /// Takes the swap that was asked about last for made; its answer must have been below its limit. `tree` may
+  /// be the one before it or after it. O(faces moved + pairs).
+  void keep(const Folds& tree);
 
  private:
   /// All of a trial's but the folded piece itself.
@@ -54,10 +55,10 @@ class FoldingMeetings {
   };
 
   void find_plates();
-  void find_always(const RootedNet& net);
-  void place_all(const RootedNet& net);
+  void find_always(const Folds& tree);
+  void place_all(const Folds& tree);
   void settle(std::uint32_t face);
-  [[nodiscard]] Samples<Motion> motions(const RootedNet& net, const Swap& swap);
+  [[nodiscard]] Samples<Motion> motions(std::uint32_t side);
   [[nodiscard]] bool always(std::uint32_t f, std::uint32_t g) const;
   [[nodiscard]] std::uint64_t near(std::uint32_t f, const Centres& centres_of_f, std::uint32_t g) const;
   [[nodiscard]] bool is_across(const std::pair<std::uint32_t, std::uint32_t>& pair) const {
@@ -66,7 +67,7 @@ class FoldingMeetings {
   [[nodiscard]] bool meets(std::uint32_t f, const Samples<Motion>* motion, std::uint32_t g,
                            std::uint64_t near) const;
   void place_beyond(std::uint32_t fold);
-  void find_made(const RootedNet& net, const Swap& swap, std::size_t limit);
+  void find_made(std::uint32_t side, std::size_t limit);
 
   const Patch& patch_;
   std::vector<Samples<Motion>> hinge_;  ///< per side: the frame of the face beyond it, seen from this face's
@@ -94,15 +95,20 @@ class FoldingMeetings {
 /// Whether the net of this tree folds up with all creases together without running through itself.
 [[nodiscard]] bool folds_together(const Patch& piece, const Folds& tree, const Context& context);
 
-/// What a net costs, in any unit; nothing where it isn't allowed, as where it doesn't fit the sheet.
-using CostOfNet = std::function<std::optional<double>(ChangingNet&)>;
+/// What a tree must be to take the place of one that doesn't fold together.
+struct FreeFoldingRules {
+  double tolerance = 0.0;  ///< of overlap, mm
+  /// What a tree costs, in any unit; nothing where it isn't allowed, as where it doesn't fit the sheet.
+  std::function<std::optional<double>(const Folds&)> cost;
+  double worth = 0.0;  ///< what it may cost more than the given one, in that unit
+};
 
-/// Gives a net that doesn't fold up with all creases together a tree that does, if one is found that costs no
-/// more than the given one and `worth`: of several the cheapest of those with the shortest cuts. They are
-/// found by walks from the given tree, on which folds between faces that meet on the way (or overlap) are
-/// exchanged (folding_meetings.hpp). False where the net is as it was. About 0.02 s for a piece of 50 faces
-/// that doesn't fold together. Deterministic for one seed but for the deadline.
-bool fold_freely(ChangingNet& net, const CostOfNet& cost, double worth, std::uint64_t seed,
-                 const Context& context);
+/// For a tree that doesn't fold up with all creases together one that does, if one is found that is worth it:
+/// of several the cheapest of those with the shortest cuts. They are found by walks from the given tree, on
+/// which folds between faces that meet on the way (or overlap) are exchanged. About 0.02 s for a piece of 50
+/// faces that doesn't fold together. Deterministic for one seed except for the deadline.
+[[nodiscard]] std::optional<Folds> fold_freely(const Patch& piece, const Folds& given,
+                                               const FreeFoldingRules& rules, std::uint64_t seed,
+                                               const Context& context);
 
 }  // namespace ridgecraft::unfold

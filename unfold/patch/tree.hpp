@@ -81,10 +81,10 @@ void shuffle(std::vector<T>& items, Random& random) {
 /// A neck is thin when the branch behind it is this many times wider than it.
 inline constexpr double thin_ratio = 3.0;
 /// Narrower ones tear, mm, where more paper than this hangs on either side, mm2; what such a one counts more,
-/// mm: to hang the branch elsewhere, or to cut it off, is worth that.
+/// mm: to hang the branch elsewhere, or to cut it off, is worth that, whatever a piece costs.
 inline constexpr double thread_mm = 1.0;
 inline constexpr double held_by_thread_mm2 = 25.0;
-inline constexpr double thread_cost = 200.0;
+inline constexpr double thread_cost = 25'000.0;
 
 /// By how much the smaller side of a fold (the root of its area, mm2) is wider than is harmless, mm; more
 /// where the fold is but a thread.

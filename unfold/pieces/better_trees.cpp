@@ -9,14 +9,12 @@
 
 #include "base/parallel.hpp"
 #include "base/random.hpp"
-#include "unfold/energy/anneal.hpp"
-#include "unfold/energy/net_energy.hpp"
+#include "unfold/energy/forest_search.hpp"
 #include "unfold/folding/folding_meetings.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -25,82 +23,48 @@ namespace {
 constexpr double worth_of_free_folding_mm = 100.0;
 /// From a tree that folds freely a better one is searched for by a share of the trials that the first search
 /// had, beginning with this heat, mm: it is near already.
-constexpr double trials_again = 0.4;
+constexpr double trials_again = 0.16;
 constexpr double first_heat = 8.0;
 
 /// What surrounds a piece.
-struct Forest {
+struct Surroundings {
   const Folds& folds;
   const IdVector<EdgeId, EdgeId>& mirrored;
   const IdVector<EdgeId, InForest> edges;
 };
 
-/// One piece and its tree.
-class PieceTree {
- public:
-  PieceTree(const NetProblem& problem, const Forest& forest, const std::vector<std::uint32_t>& faces,
-            Random random, const Context& context)
-      : options_(problem.options),
-        room_(problem.room),
-        context_(context),
-        random_(random),
-        piece_(sub_patch(problem.patch, faces)),
-        mirror_(mirror_sides(problem.surface, piece_, forest.mirrored)),
-        outside_(images_outside(problem.surface, piece_, forest.mirrored, forest.edges)),
-        net_(problem.surface, problem.panels, piece_, sub_folds(problem.patch, forest.folds, faces),
-             problem.options.tabs, net_tolerance(piece_.extent)) {
-    facts_ = cut_facts(net_, options_.tabs);
-    facts_.mirror = mirror_;
-    facts_.image_outside = outside_;
+/// A tree of one piece that folds up with all creases together, where one is worth it; else the one it has.
+Folds improved(const NetProblem& problem, const Surroundings& around, const std::vector<std::uint32_t>& faces,
+               Random random, const Context& context) {
+  const Patch piece = sub_patch(problem.patch, faces);
+  const Folds given = sub_folds(problem.patch, around.folds, faces);
+  if (folds_together(piece, given, context)) {
+    return given;
   }
-
-  Folds improved() {
-    if (folds_together(piece_, net_.folds(), context_)) {
-      return net_.folds();
-    }
-    Folds given = net_.folds();
-    const double infinite = std::numeric_limits<double>::infinity();
-    const double worth = options_.pieces.fold_linear ? infinite : worth_of_free_folding_mm;
-    const double most = cost(net_).value_or(infinite) + worth;
-    const auto own_cost = [this](ChangingNet& net) { return cost(net); };
-    if (!fold_freely(net_, own_cost, infinite, random_.next(), context_)) {
-      return given;
-    }
-    const Folds start = net_.folds();
-    anneal_folding_together(net_, facts_, room_, options_.pieces.weights, rules(), random_.next(), context_);
-    if (!folds_together(piece_, net_.folds(), context_)) {
-      net_.set_tree(start);
-    }
-    return cost(net_).value_or(infinite) <= most ? net_.folds() : given;
+  const std::vector<std::uint32_t> mirror = mirror_sides(problem.surface, piece, around.mirrored);
+  const std::vector<std::int8_t> outside =
+      images_outside(problem.surface, piece, around.mirrored, around.edges);
+  const ForestProblem own{problem.surface, problem.panels,    piece,  {},     problem.options.tabs,
+                          problem.room,    problem.weights(), mirror, outside};
+  const auto cost = [&](const Folds& tree) { return exact_cost(own, tree); };
+  const double infinite = std::numeric_limits<double>::infinity();
+  const double tolerance = net_tolerance(piece.extent);
+  const std::optional<Folds> free =
+      fold_freely(piece, given, {tolerance, cost, infinite}, random.next(), context);
+  if (!free) {
+    return given;
   }
-
- private:
-  [[nodiscard]] Annealing rules() const {
-    Annealing result = annealing_for(options_.pieces.trials_per_face, piece_.size());
-    result.quick_trials = static_cast<std::uint64_t>(trials_again * static_cast<double>(result.quick_trials));
-    result.first_heat = first_heat;
-    return result;
+  SearchRules rules = rules_for(trials_again * problem.options.pieces.trials_per_face, piece.size());
+  rules.first_heat = first_heat;
+  rules.pieces_change = false;
+  rules.folds_together = true;
+  Folds tree = search_forest(own, *free, rules, random.next(), context);
+  if (!folds_together(piece, tree, context)) {
+    tree = *free;
   }
-
-  /// The energy of a net, mm; nothing where it doesn't fit.
-  std::optional<double> cost(ChangingNet& net) const {
-    NetEnergy energy(piece_, net.tree(), facts_, room_, options_.pieces.weights);
-    if (!energy.all_fit()) {
-      return std::nullopt;
-    }
-    return energy.total_without_bare() - options_.pieces.weights.bare * net.held_mm();
-  }
-
-  const Options& options_;
-  const Room& room_;
-  const Context& context_;
-  Random random_;
-  const Patch piece_;
-  const std::vector<std::uint32_t> mirror_;  ///< per side (mirror_sides)
-  const std::vector<std::int8_t> outside_;   ///< per side (images_outside)
-  ChangingNet net_;
-  CutFacts facts_;
-};
+  const double worth = problem.options.pieces.fold_linear ? infinite : worth_of_free_folding_mm;
+  return cost(tree).value_or(infinite) <= cost(given).value_or(infinite) + worth ? tree : given;
+}
 
 /// For each piece an earlier one that is its mirror image, faces and folds, or its own number.
 std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Patch& patch,
@@ -157,13 +121,13 @@ Folds better_trees(const NetProblem& problem, const Folds& folds, const IdVector
     std::sort(faces.begin(), faces.end());
   }
   const std::vector<std::size_t> image = images_of_pieces(surface, patch, folds, pieces, mirrored);
-  const Forest forest{folds, mirrored, edges_in_forest(surface, patch, folds)};
+  const Surroundings around{folds, mirrored, edges_in_forest(surface, patch, folds)};
   std::vector<Folds> trees(pieces.size());
   const auto improve = [&](std::size_t i, const Context& own) {
     // Parts were unfolded with the streams of the seed itself.
     const Random random = Random::stream(~context.seed, i);
     trees[i] = own.out_of_grace() ? sub_folds(patch, folds, pieces[i])
-                                  : PieceTree(problem, forest, pieces[i], random, own).improved();
+                                  : improved(problem, around, pieces[i], random, own);
   };
   do_in_parallel(
       pieces.size(), context,

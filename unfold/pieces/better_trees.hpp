@@ -8,7 +8,7 @@
 namespace ridgecraft::unfold {
 
 /// Changes the tree of each piece of a clean forest so that it doesn't run through itself while all creases
-/// are folded together (folding/folding_meetings.hpp), where that costs little (energy/net_energy.hpp), or
+/// are folded together (folding/folding_meetings.hpp), where that costs little (energy/forest_energy.hpp), or
 /// whatever it costs where that is the rule. The pieces keep their faces, stay free of overlap and fit the
 /// room if they did; of two that are mirror images the second gets what the first got. `mirrored`:
 /// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one piece

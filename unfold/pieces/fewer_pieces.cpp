@@ -11,16 +11,15 @@
 
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
-#include "unfold/energy/anneal.hpp"
+#include "unfold/energy/forest_search.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/pieces/part_merging.hpp"
 #include "unfold/pieces/patch_nets.hpp"
+#include "unfold/pieces/piece_borders.hpp"
 #include "unfold/search/heated_search.hpp"
 #include "unfold/search/least_forest.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -104,14 +103,13 @@ class TreesTogether {
 
   /// Clean trees that fit the room, one fewer than they are: linked trees are searched for a net by heat
   /// (heated_search.hpp) and, where they don't fit the room, for borders at which they do
-  /// (energy/anneal.hpp). What is proven to need as many (least_forest.hpp) isn't tried. Throws
+  /// (energy/forest_search.hpp). What is proven to need as many (least_forest.hpp) isn't tried. Throws
   /// Error(interrupted).
   [[nodiscard]] std::optional<Folds> one_fewer(const PiecesTogether& pieces);
 
  private:
-  [[nodiscard]] std::optional<Folds> parted(const Patch& patch, Folds tree,
-                                            const std::vector<std::uint32_t>& links) const;
-  [[nodiscard]] Folds fitted(const LinkedPatch& linked, const Folds& tree);
+  [[nodiscard]] std::optional<Folds> allowed(const Patch& patch, Folds forest) const;
+  [[nodiscard]] Folds fitted(const Patch& patch, const Folds& forest);
 
   static constexpr std::uint64_t heat_budget = 400'000;
   static constexpr std::uint64_t fit_budget = 400'000;
@@ -160,35 +158,32 @@ std::optional<Folds> TreesTogether::one_fewer(const PiecesTogether& all) {
   if (found.overlaps > 0) {
     return std::nullopt;
   }
-  std::optional<Folds> forest = parted(all.patch, found.folds, links);
+  Folds apart = found.folds;
+  set_folds(all.patch, apart, links, false);
+  std::optional<Folds> forest = allowed(all.patch, apart);
   // Of two that don't fit as one nothing can be handed to others.
-  return forest || all.trees == 2 ? forest : parted(all.patch, fitted(linked, found.folds), links);
+  return forest || all.trees == 2 ? forest : allowed(all.patch, fitted(all.patch, apart));
 }
 
-/// The trees that links hold together; nothing where one overlaps or doesn't fit.
-std::optional<Folds> TreesTogether::parted(const Patch& patch, Folds tree,
-                                           const std::vector<std::uint32_t>& links) const {
-  set_folds(patch, tree, links, false);
-  const bool good = all_fit(patch, tree, room_) && find_overlaps(lay_out(patch, tree), tolerance_).empty();
-  return good ? std::optional(std::move(tree)) : std::nullopt;
+/// The forest, if none of its trees overlaps or doesn't fit.
+std::optional<Folds> TreesTogether::allowed(const Patch& patch, Folds forest) const {
+  const bool good =
+      all_fit(patch, forest, room_) && find_overlaps(lay_out(patch, forest), tolerance_).empty();
+  return good ? std::optional(std::move(forest)) : std::nullopt;
 }
 
-/// The same trees brought to less energy, of which what is too large is most.
-Folds TreesTogether::fitted(const LinkedPatch& linked, const Folds& tree) {
-  Annealing rules = annealing_for(fit_per_face, linked.joined.size());
+/// As many trees brought to less cost, of which what is too large is most.
+Folds TreesTogether::fitted(const Patch& patch, const Folds& forest) {
+  SearchRules rules = rules_for(fit_per_face, patch.size());
   rules.quick_trials = std::min(rules.quick_trials, fit_work_);
   rules.exact_trials = 0;
+  rules.pieces_change = false;
   rules.until_it_fits = true;
-  if (rules.quick_trials == 0) {
-    return tree;
-  }
   fit_work_ -= rules.quick_trials;
   TabOptions no_tabs = options_.tabs;
   no_tabs.wanted = false;
-  ChangingNet net(surface_, panels_, linked.apart, linked.joined, tree, no_tabs, tolerance_);
-  const CutFacts facts = cut_facts(net, no_tabs);
-  anneal(net, facts, room_, options_.pieces.weights, rules, random_.next(), context_);
-  return net.folds();
+  const ForestProblem own{surface_, panels_, patch, {}, no_tabs, room_, options_.pieces.weights};
+  return search_forest(own, forest, rules, random_.next(), context_);
 }
 
 using Faces = std::vector<std::uint32_t>;

@@ -9,7 +9,6 @@
 #include "base/disjoint_sets.hpp"
 #include "prepare/symmetry/isometry.hpp"
 #include "prepare/symmetry/mirrors.hpp"
-#include "unfold/energy/piece_cost.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"

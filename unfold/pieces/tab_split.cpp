@@ -13,16 +13,15 @@
 #include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/random.hpp"
-#include "unfold/energy/anneal.hpp"
+#include "unfold/energy/forest_search.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/page_split.hpp"
-#include "unfold/pieces/part_merging.hpp"
+#include "unfold/pieces/piece_borders.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
-#include "unfold/tabs/trees/changing_net.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -346,7 +345,7 @@ class Uniter {
       search.tolerance = rules_.problem.tolerance();
       start = find_one_piece(given.patch, rules_.problem.room, search, random_.next(), context_).tree;
     }
-    return start && search(given, std::move(*start));
+    return start && search(given, *start);
   }
 
   bool join(const Pieces& given) {
@@ -393,32 +392,17 @@ class Uniter {
            find_overlaps(lay_out(patch, folds), rules_.problem.tolerance()).empty();
   }
 
-  /// Searches for tabs from a clean forest of one piece or two; the cut that links two stays one.
-  bool search(const Pieces& given, Folds start) {
-    std::vector<std::uint32_t> links;
-    if (const auto cuts = cuts_between(given.patch, start); !cuts.empty()) {
-      const auto link = std::find_if(cuts.begin(), cuts.end(), [&](std::uint32_t side) {
-        return rules_.tab_gaps.able(edge_of(given, side));
-      });
-      if (link == cuts.end()) {
-        return false;
-      }
-      set_fold(given.patch, start, *link, true);
-      links.push_back(*link);
-    }
-    const Annealing rules = annealing_for(tab_trials_per_face, given.patch.size());
+  /// Searches for tabs from a clean forest of one piece or two.
+  bool search(const Pieces& given, const Folds& start) {
+    SearchRules rules = rules_for(tab_trials_per_face, given.patch.size());
+    rules.pieces_change = false;
     trials_left_ -= static_cast<double>(rules.quick_trials);
-    const LinkedPatch linked = linked_patch(given.patch, links);
-    ChangingNet net(rules_.problem.surface, rules_.problem.panels, linked.apart, linked.joined, start,
-                    rules_.problem.options.tabs, rules_.problem.tolerance());
     Weights weights;
     weights.bare = worth_of_any_tab;
-    anneal(net, cut_facts(net, rules_.problem.options.tabs), rules_.problem.room, weights, rules,
-           random_.next(), context_);
-    Folds found = net.folds();
-    for (const std::uint32_t side : links) {
-      set_fold(given.patch, found, side, false);
-    }
+    const NetProblem& whole = rules_.problem;
+    const ForestProblem own{whole.surface,      whole.panels, given.patch, {},
+                            whole.options.tabs, whole.room,   weights};
+    const Folds found = search_forest(own, start, rules, random_.next(), context_);
     return is_good(given.patch, found) && take(given, found);
   }
 

@@ -285,6 +285,15 @@ class CircleTree {
     return bits;
   }
 
+  /// Bits of a block's positions that lie in first .. last-1.
+  [[nodiscard]] static std::uint32_t bits_within(std::uint32_t block, std::uint32_t first,
+                                                 std::uint32_t last) {
+    const std::uint32_t begin = block * block_size;
+    const std::uint32_t low = std::clamp(first, begin, begin + block_size) - begin;
+    const std::uint32_t high = std::clamp(last, begin, begin + block_size) - begin;
+    return (1U << high) - (1U << low);
+  }
+
   /// Renews the blocks that hold the positions first .. last-1 and all nodes above. O(last - first + log n).
   void renew(std::uint32_t first, std::uint32_t last);
 

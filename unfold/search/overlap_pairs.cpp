@@ -122,19 +122,6 @@ void OverlapPairs::drop_across(std::uint32_t below) {
   }
 }
 
-namespace {
-
-/// Bits of a block's positions that lie in first .. last-1.
-std::uint32_t bits_within(std::uint32_t block, std::uint32_t first, std::uint32_t last) {
-  constexpr std::uint32_t size = CircleTree::block_size;
-  const std::uint32_t begin = block * size;
-  const std::uint32_t low = std::clamp(first, begin, begin + size) - begin;
-  const std::uint32_t high = std::clamp(last, begin, begin + size) - begin;
-  return (1U << high) - (1U << low);
-}
-
-}  // namespace
-
 SwapOverlaps::SwapOverlaps(const RootedNet& net, double tolerance)
     : net_(net), tolerance_(tolerance), moved_(net.size()), moved_in_(net.size(), 0) {}
 
@@ -201,7 +188,7 @@ class SwapOverlaps::Descent {
   }
 
   void part_of_block(std::uint32_t block, std::uint32_t first, std::uint32_t last) {
-    const std::uint32_t bits = bits_within(block, first, last);
+    const std::uint32_t bits = CircleTree::bits_within(block, first, last);
     Circle all;
     for (std::uint32_t position = first; position < last; ++position) {
       all = around(all, tree_.circle(position));
@@ -243,7 +230,8 @@ class SwapOverlaps::Descent {
   }
 
   void blocks(std::uint32_t a, std::uint32_t bits, std::uint32_t b) {
-    const std::uint32_t stays = ~(bits_within(b, first_, last_) | bits_within(b, 0, wrapped_));
+    const std::uint32_t stays =
+        ~(CircleTree::bits_within(b, first_, last_) | CircleTree::bits_within(b, 0, wrapped_));
     const Circle& around_b = tree_[leaf_ + b];
     for (std::uint32_t i = a * size; i < std::min(a * size + size, net_.size()); ++i) {
       if (((bits >> (i - a * size)) & 1U) == 0) {

@@ -194,7 +194,7 @@ Walled<n> moved(const Walled<n>& shape, const Frame& out, const Frame& in) {
 }  // namespace
 
 TabState::TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch,
-                   RootedNet& net, const TabOptions& options)
+                   Forest& net, const TabOptions& options)
     : patch_(patch),
       net_(net),
       options_(options),
@@ -265,7 +265,7 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
   const Circle near = circle(side);
   const double gap = options_.clearance_mm;
   auto free = static_cast<Mask>((1U << tabs.size()) - 1U);
-  net_.visit_near(near.centre, near.radius + gap, [&](std::uint32_t face) {
+  net_.visit_near(net_.tree_of(side / 3), near.centre, near.radius + gap, [&](std::uint32_t face) {
     if (face == side / 3 || free == 0) {
       return;
     }
@@ -329,9 +329,11 @@ void TabState::mark_beside(std::uint32_t face, std::uint32_t other) {
   }
 }
 
-/// Marks what is near across the fold above `below`, and notes which tabs may have come together.
-void TabState::mark_near(std::uint32_t below, bool pairs) {
-  net_.visit_near_across(below, 2.0 * reach_ + options_.clearance_mm, [&](std::uint32_t f, std::uint32_t g) {
+/// Marks what is near between these faces and the others of a tree, and notes which tabs may have come
+/// together.
+void TabState::mark_near(const Forest::Span& span, std::uint32_t tree, bool pairs) {
+  const double reach = 2.0 * reach_ + options_.clearance_mm;
+  const auto meet = [&](std::uint32_t f, std::uint32_t g) {
     mark_beside(f, g);
     mark_beside(g, f);
     for (std::uint32_t a = 3 * f; pairs && a < 3 * f + 3; ++a) {
@@ -341,7 +343,16 @@ void TabState::mark_near(std::uint32_t below, bool pairs) {
         }
       }
     }
-  });
+  };
+  for (std::uint32_t i = 0; i < span.count; ++i) {
+    const std::uint32_t f = net_.face_in(span, i);
+    const Circle& near = net_.circle(f);
+    net_.visit_near(tree, near.centre, near.radius + reach, [&](std::uint32_t g) {
+      if (!net_.in_span(span, g)) {
+        meet(f, g);
+      }
+    });
+  }
 }
 
 void TabState::renew_all() {
@@ -358,36 +369,44 @@ void TabState::renew_all() {
   fill_open();
 }
 
-void TabState::swap(std::uint32_t below, std::uint32_t side) {
+void TabState::make(const Move& move) {
   chosen_.keep();
   free_.keep();
-  undo_.count = count_;
+  undo_ = {move.inverse(), count_};
   ++round_;
   marked_.clear();
   beside_.clear();
-  const std::uint32_t removed = net_.side_above(below);
-  if (chosen_[join_of(side)].side != nothing) {
-    choose(join_of(side), {});
+  if (move.closed != nothing && chosen_[join_of(move.closed)].side != nothing) {
+    choose(join_of(move.closed), {});
   }
-  mark_near(below, false);
-  const std::uint32_t moved = net_.swap(below, side);
-  for (const std::uint32_t s : {side, patch_.twin[side], removed, patch_.twin[removed]}) {
-    mark(s);
-    for (const std::uint32_t other : behind_[join_of(s)]) {
-      mark(other);
+  const Forest::Carried what = net_.carried(move);
+  if (!move.joins()) {
+    mark_near(what.faces, what.faces.tree, false);
+  }
+  const bool first_goes = !move.splits() && net_.in_span(what.faces, move.closed / 3);
+  net_.make(move);
+  for (const std::uint32_t side : {move.closed, move.opened}) {
+    for (const std::uint32_t s : {side, side == nothing ? nothing : patch_.twin[side]}) {
+      if (s != nothing) {
+        mark(s);
+        for (const std::uint32_t other : behind_[join_of(s)]) {
+          mark(other);
+        }
+      }
     }
   }
-  mark_near(moved, true);
-  undo_.below = moved;
-  undo_.side = removed;
+  if (!move.splits()) {
+    const std::uint32_t hung = (first_goes ? move.closed : patch_.twin[move.closed]) / 3;
+    mark_near(net_.subtree(hung), net_.tree_of(hung), true);
+  }
   refresh();
   drop_colliding();
   fill_open();
 }
 
 void TabState::take_back() {
-  RIDGECRAFT_ASSERT(undo_.below != nothing);
-  net_.swap(undo_.below, undo_.side);
+  RIDGECRAFT_ASSERT(!(undo_.back == Move()));
+  net_.make(undo_.back);
   chosen_.take_back();
   free_.take_back();
   count_ = undo_.count;
@@ -447,13 +466,14 @@ void TabState::fill_open() {
 void TabState::find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& sides) {
   const Circle near = circle(side);
   sides.clear();
-  net_.visit_near(near.centre, near.radius + reach_ + options_.clearance_mm, [&](std::uint32_t face) {
-    for (std::uint32_t other = 3 * face; other < 3 * face + 3; ++other) {
-      if (other != side && chosen_[join_of(other)].side == other) {
-        sides.push_back(other);
-      }
-    }
-  });
+  net_.visit_near(net_.tree_of(side / 3), near.centre, near.radius + reach_ + options_.clearance_mm,
+                  [&](std::uint32_t face) {
+                    for (std::uint32_t other = 3 * face; other < 3 * face + 3; ++other) {
+                      if (other != side && chosen_[join_of(other)].side == other) {
+                        sides.push_back(other);
+                      }
+                    }
+                  });
 }
 
 /// Does a tab on side a keep clear of the tab that side b has?

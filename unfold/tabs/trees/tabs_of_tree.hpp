@@ -10,7 +10,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/search/rooted_net.hpp"
+#include "unfold/search/forest.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 
@@ -88,15 +88,15 @@ class LoggedValues {
 /// one place, and tabs are counted, not weighed.
 class TabState {
  public:
-  TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, RootedNet& net,
+  TabState(const mesh::Surface& surface, const prepare::Panels& panels, const Patch& patch, Forest& net,
            const TabOptions& options);
 
   /// Chooses all tabs afresh, whatever was chosen before: they depend on the tree alone.
   void renew_all();
-  /// Makes the cut `side` a fold and the fold above `below`, which it crosses, a cut (RootedNet::swap), and
-  /// looks afresh at the tabs that this brings near other things or frees of them.
-  void swap(std::uint32_t below, std::uint32_t side);
-  /// Takes the last swap back, once: there must have been one since renew_all() or the last take_back().
+  /// Makes a legal move of the forest, and looks again at the tabs that this brings near other things or
+  /// frees of them.
+  void make(const Move& move);
+  /// Takes the last move back, once: there must have been one since renew_all() or the last take_back().
   void take_back();
 
   /// Cuts with a usable tab.
@@ -135,10 +135,9 @@ class TabState {
     std::uint32_t tabs = 0;
     double held_mm = 0.0;
   };
-  /// What the last swap has to know to be taken back, beside the logs.
+  /// What the last move has to know to be taken back, beside the logs.
   struct Undo {
-    std::uint32_t below = nothing;  ///< the swap that makes up for it; nothing: there is none
-    std::uint32_t side = nothing;
+    Move back;    ///< takes it back; empty: there is none
     Count count;  ///< before it
   };
   using Mask = std::uint8_t;
@@ -151,7 +150,7 @@ class TabState {
   [[nodiscard]] bool shares(std::uint32_t vertex, Vec2 place, std::uint32_t face) const;
   [[nodiscard]] Mask free_among_faces(std::uint32_t side);
   [[nodiscard]] bool has_folds_behind(std::uint32_t side) const;
-  void mark_near(std::uint32_t below, bool pairs);
+  void mark_near(const Forest::Span& span, std::uint32_t tree, bool pairs);
   void mark(std::uint32_t side);
   void mark_beside(std::uint32_t face, std::uint32_t other);
   void refresh();
@@ -165,7 +164,7 @@ class TabState {
                                 const std::vector<std::uint32_t>& others);
 
   const Patch& patch_;
-  RootedNet& net_;
+  Forest& net_;
   TabOptions options_;
   double reach_ = 0.0;  ///< farther from its edge no tab gets, mm
   TabTargets targets_;

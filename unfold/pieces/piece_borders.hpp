@@ -2,18 +2,11 @@
 // Which pieces of a forest are neighbours on the surface.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "base/context.hpp"
-#include "base/id.hpp"
-#include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -27,13 +20,5 @@ struct PieceBorder {
 /// its neighbours the one with the longest border. `piece`: of each face. O(n log n).
 [[nodiscard]] std::vector<PieceBorder> piece_borders(const Patch& patch,
                                                      std::span<const std::uint32_t> piece);
-
-// After the parts are unfolded: neighbouring pieces, of one part or of several, become one where that is
-// easier to build.
-
-/// Replaces two neighbouring pieces by one net of both where there is one without overlap that fits the room
-/// and costs less than the two (piece_cost.hpp), the smallest pieces first, until there are no such
-/// neighbours. Panels stay whole. Deterministic for one seed but for the deadline.
-[[nodiscard]] Folds merge_parts(const NetProblem& problem, const Folds& folds, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/energy/piece_cost.hpp"
+#include "unfold/energy/tree_shape.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
-#include <vector>
 
-#include "base/geometry.hpp"
-#include "unfold/patch/layout.hpp"
-#include "unfold/patch/problem.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/search/circle_tree.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -27,6 +21,10 @@ constexpr std::array<FloatLanes, 2> sines{
 constexpr double hollow_unit_mm2 = 100.0;
 /// Unit of the square of a piece's outline, mm.
 constexpr double outline_unit_mm = 1000.0;
+/// A piece this wide is held without trouble, mm.
+constexpr double handy_mm = 30.0;
+/// A piece of so many panels is an evening's work by itself.
+constexpr double many_panels = 80.0;
 /// What a millimetre beyond the sheet costs, mm: more than any seam would save by it.
 constexpr double overhang_price = 20.0;
 /// What a flat region more than a piece may have costs, mm: the same.
@@ -76,21 +74,34 @@ Turn along_axes(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-PieceShape::PieceShape(const Patch& patch, const Room& room, const Weights& weights)
-    : patch_(patch), room_(room), weights_(weights), narrow_(narrow_sides(patch)), members_(patch.size()) {
+TreeShape::TreeShape(const Patch& patch, std::span<const std::uint32_t> part, const Room& room,
+                     const Weights& weights)
+    : patch_(patch),
+      part_(part),
+      room_(room),
+      weights_(weights),
+      narrow_(narrow_sides(patch)),
+      part_in_(part.empty() ? 0 : *std::max_element(part.begin(), part.end()) + 1, 0),
+      members_(patch.size()) {
   area_.reserve(patch.size());
   for (const Triangle& t : patch.shape) {
     area_.push_back(area_of(t));
   }
 }
 
-void PieceShape::collect(const Folds& folds, std::uint32_t root) {
+void TreeShape::collect(const Folds& folds, std::uint32_t root) {
   members_[0] = {root, 0, nothing, area_[root]};
   count_ = 1;
   panels_ = 1;
+  parts_ = 0;
+  ++question_;
   outline_ = 0.0;
   for (std::uint32_t i = 0; i < count_; ++i) {
     const Member member = members_[i];
+    if (!part_.empty() && part_in_[part_[member.face]] != question_) {
+      part_in_[part_[member.face]] = question_;
+      ++parts_;
+    }
     for (std::uint32_t side = 3 * member.face; side < 3 * member.face + 3; ++side) {
       if (folds[side] == 0) {
         outline_ += patch_.frozen[side] == 0 ? patch_.length[side] : 0.0;
@@ -108,7 +119,7 @@ void PieceShape::collect(const Folds& folds, std::uint32_t root) {
   }
 }
 
-double PieceShape::necks(const Folds& folds) const {
+double TreeShape::necks(const Folds& folds) const {
   double sum = 0.0;
   for (std::size_t i = 1; i < count_; ++i) {
     const Member& member = members_[i];
@@ -129,7 +140,7 @@ double PieceShape::necks(const Folds& folds) const {
 }
 
 /// By how much the piece is larger than the sheet at the best of eight turns, mm.
-double PieceShape::overhang(const std::array<float, 2 * directions>& reach) const {
+double TreeShape::overhang(const std::array<float, 2 * directions>& reach) const {
   const double width = room_.sheet->width - 2.0 * room_.strip;
   const double height = room_.sheet->height - 2.0 * room_.strip;
   double least = HUGE_VAL;
@@ -142,19 +153,21 @@ double PieceShape::overhang(const std::array<float, 2 * directions>& reach) cons
   return least;
 }
 
-PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds, std::uint32_t root,
-                                        const RootedNet::Span* moved, const Rigid& motion) {
+TreeShape::Measure TreeShape::measure(const Forest& forest, const Folds& folds, std::uint32_t root,
+                                      const Forest::Carried* moved) {
   collect(folds, root);
   work_ += count_;
   // Seen from a corner of the root's, so that floats are enough.
-  const bool root_moves = moved != nullptr && net.in_span(*moved, root);
-  const Vec2 origin = root_moves ? motion(net.flat(root)[0]) : net.flat(root)[0];
+  const auto place = [&](std::uint32_t f, std::uint32_t corner) {
+    const Vec2 at = forest.flat(f)[corner];
+    return moved != nullptr && forest.in_span(moved->faces, f) ? moved->motion(at) : at;
+  };
+  const Vec2 origin = place(root, 0);
   std::array<FloatLanes, 2> high{};
   std::array<FloatLanes, 2> low{};
   points_.clear();
   const auto add = [&](std::uint32_t f, std::uint32_t corner) {
-    const Vec2 at = net.flat(f)[corner];
-    points_.push_back((moved != nullptr && net.in_span(*moved, f) ? motion(at) : at) - origin);
+    points_.push_back(place(f, corner) - origin);
   };
   add(root, 0);
   add(root, 1);
@@ -180,10 +193,13 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
     reach[d + directions] = -low[d / lanes][d % lanes];
   }
   Measure result;
-  result.panels = panels_;
   const double paper = members_[0].behind;
   result.cost = weights_.compact * std::max(0.0, area_within(reach) - paper) / hollow_unit_mm2 +
                 weights_.outline * outline_ * outline_ / outline_unit_mm + weights_.thin * necks(folds);
+  const double panels = static_cast<double>(panels_) / many_panels;
+  result.cost +=
+      weights_.pieces + weights_.parts * static_cast<double>(std::max<std::size_t>(parts_, 1) - 1) +
+      weights_.small * std::max(0.0, 1.0 - std::sqrt(paper) / handy_mm) + weights_.panels * panels * panels;
   if (room_.sheet) {
     const double over = overhang(reach);
     result.surely_fits = over <= 0.0;
@@ -194,115 +210,6 @@ PieceShape::Measure PieceShape::measure(const RootedNet& net, const Folds& folds
     result.cost += panel_price * static_cast<double>(panels_ - room_.max_panels);
   }
   return result;
-}
-
-namespace {
-
-/// A piece this wide is held without trouble, mm.
-constexpr double handy_mm = 30.0;
-/// A piece of so many panels is an evening's work by itself.
-constexpr double many_panels = 80.0;
-
-/// How thin the necks of a tree are.
-double thinness(const Patch& piece, const Folds& folds, const RootedTree& tree,
-                const std::vector<double>& areas, const std::vector<std::uint8_t>& narrow) {
-  std::vector<double> area(tree.order.size());
-  for (std::size_t i = 0; i < area.size(); ++i) {
-    area[i] = areas[tree.order[i]];
-  }
-  for (std::size_t i = area.size(); i-- > 1;) {
-    area[tree.parent[i]] += area[i];
-  }
-  double thin = 0.0;
-  for (std::size_t i = 1; i < area.size(); ++i) {
-    if (piece.frozen[tree.up[i]] == 0) {
-      thin += neck_cost(piece.length[tree.up[i]], std::min(area[i], area[0] - area[i]));
-    }
-  }
-  for (std::size_t i = 0; i < area.size() && !narrow.empty(); ++i) {
-    const std::uint32_t face = tree.order[i];
-    const std::uint32_t cut = only_cut(folds, face);
-    if (cut != nothing && narrow[cut] != 0) {
-      const double behind = i > 0 ? area[i] - areas[face] : area[1];
-      thin += thread_cost_between(behind, area[0] - areas[face] - behind);
-    }
-  }
-  return thin;
-}
-
-double square(double x) {
-  return x * x;
-}
-
-/// What a piece of these faces costs beside its seams and its shape.
-double cost_of_any_tree(const Patch& piece, std::size_t parts, const Weights& weights) {
-  return weights.pieces + weights.parts * static_cast<double>(parts - 1) +
-         weights.small * std::max(0.0, 1.0 - std::sqrt(area_of(piece)) / handy_mm) +
-         weights.panels * square(static_cast<double>(panel_count(piece)) / many_panels);
-}
-
-}  // namespace
-
-double outline_cost(double outline, const Weights& weights) {
-  return weights.outline * square(outline) / 1000.0;
-}
-
-double least_cost_of_piece(const Patch& piece, std::size_t parts, const Weights& weights) {
-  double outline = 0.0;
-  double seams = 0.0;
-  for (std::uint32_t side = 0; side < piece.twin.size(); ++side) {
-    // Each cut has two sides; those of another piece count there.
-    const double half = 0.5 * seam_price(piece, side, weights);
-    if (piece.twin[side] == nothing) {
-      outline += piece.length[side];
-      seams += half;
-    } else {
-      seams += std::min(0.0, half);  // a cut that is wanted
-    }
-  }
-  return cost_of_any_tree(piece, parts, weights) + seams + outline_cost(outline, weights);
-}
-
-PieceCost::PieceCost(const Patch& piece, std::size_t parts, const Weights& weights)
-    : piece_(piece),
-      weights_(weights),
-      cuts_(piece, {}, weights),
-      any_tree_(cost_of_any_tree(piece, parts, weights)),
-      narrow_(narrow_sides(piece)),
-      place_(piece.size(), nothing) {
-  for (std::uint32_t side = 0; side < piece.twin.size(); ++side) {
-    if (piece.twin[side] == nothing) {
-      border_ += piece.length[side];
-      any_tree_ += 0.5 * seam_price(piece, side, weights);
-    }
-  }
-  for (const Triangle& t : piece.shape) {
-    area_.push_back(area_of(t));
-    whole_area_ += area_.back();
-  }
-}
-
-double PieceCost::of(const Folds& tree, std::span<const Vec2> hull) {
-  double cut = 0.0;
-  for (std::size_t side = 0; side < tree.size(); ++side) {
-    cut += tree[side] == 0 && piece_.twin[side] != nothing ? 0.5 * piece_.length[side] : 0.0;
-  }
-  double hull_area = 0.0;
-  for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
-    hull_area += 0.5 * cross(hull[i] - hull[0], hull[i + 1] - hull[0]);
-  }
-  const double hollow = std::max(0.0, hull_area - whole_area_) / 100.0;
-  cuts_.set_tree(tree);
-  return any_tree_ + cuts_.total() + outline_cost(border_ + 2.0 * cut, weights_) + weights_.compact * hollow +
-         weights_.thin * thinness(piece_, tree, rooted_tree(piece_, tree, 0, place_), area_, narrow_);
-}
-
-double cost_of_piece(const Patch& piece, const Folds& tree, std::size_t parts, const Weights& weights) {
-  std::vector<Vec2> points;
-  for (const Triangle& t : lay_out(piece, tree).flat) {
-    points.insert(points.end(), t.begin(), t.end());
-  }
-  return PieceCost(piece, parts, weights).of(tree, convex_hull(std::move(points)));
 }
 
 }  // namespace ridgecraft::unfold

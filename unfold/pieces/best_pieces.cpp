@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/best_pieces.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/disjoint_sets.hpp"
+#include "base/parallel.hpp"
+#include "base/random.hpp"
+#include "unfold/energy/forest_search.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/pieces/mirror_images.hpp"
+
+namespace ridgecraft::unfold {
+namespace {
+
+using Faces = std::vector<std::uint32_t>;
+
+/// Sets of faces that are searched by themselves, each ascending: what hangs together, or has its mirror
+/// image there.
+std::vector<Faces> bodies_of(const NetProblem& problem, const IdVector<EdgeId, EdgeId>& mirrored) {
+  const Patch& patch = problem.patch;
+  DisjointSets sets(patch.size());
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.twin[side] != nothing) {
+      static_cast<void>(sets.join(side / 3, patch.twin[side] / 3));
+    }
+  }
+  if (!mirrored.empty()) {
+    IdVector<EdgeId, std::uint32_t> face_at(problem.surface.edge_count(), nothing);
+    const auto edge_of = [&](std::uint32_t side) {
+      return problem.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
+    };
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      face_at[edge_of(side)] = side / 3;
+    }
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      const EdgeId image = mirrored[edge_of(side)];
+      if (image.valid() && face_at[image] != nothing) {
+        static_cast<void>(sets.join(side / 3, face_at[image]));
+      }
+    }
+  }
+  std::vector<Faces> bodies(patch.size());
+  for (std::uint32_t f = 0; f < patch.size(); ++f) {
+    bodies[sets.find(f)].push_back(f);
+  }
+  std::erase_if(bodies, [](const Faces& faces) { return faces.empty(); });
+  return bodies;
+}
+
+/// The best forest of one body, as folds of its sub-patch.
+Folds searched(const NetProblem& problem, const Folds& folds, const Faces& faces,
+               const IdVector<EdgeId, EdgeId>& mirrored, const Context& context) {
+  const Patch patch = sub_patch(problem.patch, faces);
+  std::vector<std::uint32_t> part;
+  for (const std::uint32_t f : faces) {
+    part.push_back(problem.part[f].value());
+  }
+  const std::vector<std::uint32_t> mirror = mirror_sides(problem.surface, patch, mirrored);
+  const ForestProblem own{problem.surface, problem.panels,    patch, part, problem.options.tabs,
+                          problem.room,    problem.weights(), mirror};
+  SearchRules rules = rules_for(problem.options.pieces.trials_per_face, patch.size());
+  rules.pieces_change = problem.options.pieces.merge;
+  return search_forest(own, sub_folds(problem.patch, folds, faces), rules, context.seed, context);
+}
+
+}  // namespace
+
+Folds best_pieces(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
+                  const Context& context) {
+  const std::vector<Faces> bodies = bodies_of(problem, mirrored);
+  std::vector<Folds> found(bodies.size());
+  do_in_parallel(
+      bodies.size(), context,
+      [&](std::size_t i, const Context& own) {
+        // Not those of the parts (the seed) and of the trees (its complement).
+        Context seeded = own;
+        seeded.seed = Random::stream(~context.seed + 1, i).next();
+        found[i] = own.out_of_time() ? sub_folds(problem.patch, folds, bodies[i])
+                                     : searched(problem, folds, bodies[i], mirrored, seeded);
+      },
+      [&](std::size_t done) {
+        context.report("unfold", 0.7 + 0.1 * static_cast<double>(done) / static_cast<double>(bodies.size()));
+      });
+  Folds result = folds;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    put_back(problem.patch, bodies[i], found[i], result);
+  }
+  return result;
+}
+
+}  // namespace ridgecraft::unfold
