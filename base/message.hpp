@@ -20,11 +20,11 @@ struct MessageValue {
   MessageValue(std::string_view gap, Number number) : MessageValue(gap, std::to_string(number)) {}
   MessageValue(std::string_view gap, std::vector<Message> messages);
 
-  std::string name;                 ///< of the gap; "try": an option that would help
-  std::string text;                 ///< as the command line or Python has it
-  std::string option = {};          ///< "size" where the text is this option, with ...
-  std::string value = {};           ///< ... this value, or none
-  std::vector<Message> items = {};  ///< instead of the text
+  std::string name;            ///< of the gap; "try": an option that would help
+  std::string text;            ///< as the command line or Python has it
+  std::string option;          ///< "size" where the text is this option, with ...
+  std::string value;           ///< ... this value, or none
+  std::vector<Message> items;  ///< instead of the text
 
   friend bool operator==(const MessageValue&, const MessageValue&) = default;
 };

@@ -164,7 +164,7 @@ class Search {
       walk_exactly();
     }
     // A walk counts by small steps, so only a layout of its own may call a forest clean in the end.
-    return best_ && find_overlaps(lay_out(patch_, *best_), tolerance_).empty() ? std::move(*best_) : start_;
+    return best_ && find_overlaps(lay_out(patch_, *best_), tolerance_).empty() ? *best_ : start_;
   }
 
  private:
@@ -491,14 +491,11 @@ class Search {
                         edge_of(image) != edge_of(side);
       return same ? image : nothing;
     };
-    Move image;
-    if (move.closed != nothing && (image.closed = image_of(move.closed, true)) == nothing) {
-      return std::nullopt;
-    }
-    if (move.opened != nothing && (image.opened = image_of(move.opened, false)) == nothing) {
-      return std::nullopt;
-    }
-    return image;
+    const Move image{move.opened == nothing ? nothing : image_of(move.opened, false),
+                     move.closed == nothing ? nothing : image_of(move.closed, true)};
+    const bool whole = (image.opened == nothing) == (move.opened == nothing) &&
+                       (image.closed == nothing) == (move.closed == nothing);
+    return whole ? std::optional(image) : std::nullopt;
   }
 
   bool make_both(const Move& move, const Move& image, double may_cost) {

@@ -37,7 +37,7 @@ struct Surroundings {
 Folds improved(const NetProblem& problem, const Surroundings& around, const std::vector<std::uint32_t>& faces,
                Random random, const Context& context) {
   const Patch piece = sub_patch(problem.patch, faces);
-  const Folds given = sub_folds(problem.patch, around.folds, faces);
+  Folds given = sub_folds(problem.patch, around.folds, faces);
   if (folds_together(piece, given, context)) {
     return given;
   }
