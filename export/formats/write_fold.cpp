@@ -320,7 +320,7 @@ std::string write_fold(const FoldContents& contents, const Mark& mark) {
             [&](std::size_t i) { write_triangle(json, frame.faces[i]); });
   json.list("ridgecraft:faces_model", frame.faces.size(), [&](std::size_t i) { json.number(i); });
   json.list("ridgecraft:faces_piece", frame.faces.size(),
-            [&](std::size_t i) { json.number(nets.piece[FaceId(i)].value()); });
+            [&](std::size_t i) { json.number(contents.nets.piece[FaceId(i)].value()); });
   write_pieces(json, nets, frame);
   write_fold_order(json, nets, frame);
   write_equal_pieces(json, nets);
