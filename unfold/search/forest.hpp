@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -76,6 +77,7 @@ class Forest {
   /// A face's corners in its tree's plane.
   [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face].corner; }
   [[nodiscard]] const EdgedTriangle& edged_flat(std::uint32_t face) const { return flat_[face]; }
+  [[nodiscard]] std::span<const EdgedTriangle> edged_flats() const { return flat_; }
   [[nodiscard]] const Circle& circle(std::uint32_t face) const { return circle_[face]; }
   [[nodiscard]] std::uint32_t position(std::uint32_t face) const { return at_[face]; }
   /// The side of a face to its parent; nothing at a root.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,7 @@ class RootedNet {
   /// A face's corners in the plane.
   [[nodiscard]] const Triangle& flat(std::uint32_t face) const { return flat_[face].corner; }
   [[nodiscard]] const EdgedTriangle& edged_flat(std::uint32_t face) const { return flat_[face]; }
+  [[nodiscard]] std::span<const EdgedTriangle> edged_flats() const { return flat_; }
   /// The smallest circle around it.
   [[nodiscard]] const Circle& circle(std::uint32_t face) const { return circle_[face]; }
 
@@ -71,6 +73,8 @@ class RootedNet {
   /// How it moves.
   [[nodiscard]] Rigid motion(std::uint32_t below, std::uint32_t side) const;
   [[nodiscard]] std::uint32_t position(std::uint32_t face) const { return at_[face]; }
+  /// The faces by their positions.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   [[nodiscard]] std::uint32_t face_at(std::uint32_t position) const { return order_[position]; }
   /// The face that is `i` < span.count positions behind the first of a span.
   [[nodiscard]] std::uint32_t face_in(const Span& span, std::uint32_t i) const {
