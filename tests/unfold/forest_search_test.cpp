@@ -166,7 +166,7 @@ TEST_CASE("overlaps of a forest are counted from move to move, and asked before 
   const Example example(5, 3);
   Forest forest(example.patch);
   forest.set_folds(example.folds);
-  unfold::Overlaps overlaps(forest, tolerance);
+  unfold::ForestOverlaps overlaps(forest, tolerance);
   overlaps.find_all();
   Random random(9);
   for (int step = 0; step < 150; ++step) {

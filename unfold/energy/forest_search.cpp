@@ -526,7 +526,7 @@ class Search {
   State state_;
   Forest& forest_;
   ForestEnergy& energy_;
-  Overlaps overlaps_;
+  ForestOverlaps overlaps_;
   std::optional<FoldingMeetings> meetings_;
   EdgeSet cuts_;
   EdgeSet folds_;

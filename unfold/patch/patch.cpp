@@ -209,18 +209,16 @@ constexpr double first_distance = 8.0;
 
 }  // namespace
 
-LinkedPatch linked_patch(const Patch& patch, std::span<const std::uint32_t> links) {
-  RIDGECRAFT_ASSERT(links.size() <= LinkedPatch::most_links);
-  LinkedPatch result{patch, patch};
+Patch linked_patch(const Patch& patch, std::span<const std::uint32_t> links) {
+  RIDGECRAFT_ASSERT(links.size() <= most_links);
+  Patch result = patch;
   double distance = first_distance * patch.extent;
   for (const std::uint32_t side : links) {
     const std::uint32_t twin = patch.twin[side];
-    result.apart.twin[side] = result.apart.twin[twin] = nothing;
-    result.apart.frozen[side] = result.apart.frozen[twin] = 0;
-    result.joined.frozen[side] = result.joined.frozen[twin] = 1;
-    Rigid& across = result.joined.across[side];
+    result.frozen[side] = result.frozen[twin] = 1;
+    Rigid& across = result.across[side];
     across.shift += Vec2{distance, 0.0};
-    result.joined.across[twin] = across.inverse();
+    result.across[twin] = across.inverse();
     distance *= 2.0;
   }
   return result;

@@ -60,10 +60,6 @@ struct NetProblem {
   [[nodiscard]] const Weights& weights() const { return options.pieces.weights; }
   /// How deep faces of one piece may overlap, mm.
   [[nodiscard]] double tolerance() const { return net_tolerance(patch.extent); }
-  /// The same faces with other neighbours.
-  [[nodiscard]] NetProblem with(const Patch& other) const {
-    return {surface, panels, other, part, options, room};
-  }
 };
 
 }  // namespace ridgecraft::unfold

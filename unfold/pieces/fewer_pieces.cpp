@@ -136,7 +136,7 @@ TreesTogether::TreesTogether(const NetProblem& problem, const Context& context)
 
 std::optional<Folds> TreesTogether::one_fewer(const PiecesTogether& all) {
   const std::size_t wanted = all.trees - 1;
-  if (wanted > LinkedPatch::most_links || all.faces.size() > most_faces_of_union ||
+  if (wanted > most_links || all.faces.size() > most_faces_of_union ||
       least_pieces(all.patch, room_) > wanted ||
       least_trees(all.patch, {tolerance_, most_panels_of_union, union_proof_pairs}, context_) > wanted) {
     return std::nullopt;
@@ -147,13 +147,12 @@ std::optional<Folds> TreesTogether::one_fewer(const PiecesTogether& all) {
   if (joint == nothing || links.size() + 1 != wanted) {
     return std::nullopt;  // the pieces don't hang together
   }
-  const LinkedPatch linked = linked_patch(all.patch, links);
+  const Patch linked = linked_patch(all.patch, links);
   Folds tree = all.apart;
   set_fold(all.patch, tree, joint, true);
   set_folds(all.patch, tree, links, true);
   const std::uint64_t trials = std::min<std::uint64_t>(heat_per_face * all.patch.size(), heat_work_);
-  const HeatedFound found =
-      heated_search(linked.joined, tree, {tolerance_, trials}, random_.next(), context_);
+  const HeatedFound found = heated_search(linked, tree, {tolerance_, trials}, random_.next(), context_);
   heat_work_ -= std::min(heat_work_, found.trials);
   if (found.overlaps > 0) {
     return std::nullopt;

@@ -419,15 +419,15 @@ class FewestSearch {
   void search_linked(const Folds& best) {
     const std::vector<std::uint32_t> places = places_to_part(best);
     const std::uint64_t trials = heated_trials(patch_.size()) / shares_of_linked;
-    const std::size_t most_trees = std::min(places.size(), LinkedPatch::most_links) + 1;
+    const std::size_t most_trees = std::min(places.size(), most_links) + 1;
     std::size_t least = std::max<std::size_t>(2, result_.proven_least);
     for (std::size_t most = std::min(result_.pieces, most_trees + 1);
          least < most && !context_.out_of_time();) {
       const std::size_t trees = least + (most - least) / 2;
       const std::vector<std::uint32_t> links(places.begin(),
                                              places.begin() + static_cast<std::ptrdiff_t>(trees - 1));
-      const LinkedPatch linked = linked_patch(patch_, links);
-      HeatedFound found = heated_search(linked.joined, best, {tolerance_, trials}, random_.next(), context_);
+      const Patch linked = linked_patch(patch_, links);
+      HeatedFound found = heated_search(linked, best, {tolerance_, trials}, random_.next(), context_);
       for (const std::uint32_t side : links) {
         set_fold(patch_, found.folds, side, false);
       }

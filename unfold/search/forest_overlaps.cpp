@@ -3,13 +3,13 @@
 
 namespace ridgecraft::unfold {
 
-Overlaps::Overlaps(const Forest& forest, double tolerance)
+ForestOverlaps::ForestOverlaps(const Forest& forest, double tolerance)
     : forest_(forest),
       tolerance_(tolerance),
       pairs_(forest.face_count()),
       carried_(forest.edged_flats(), tolerance) {}
 
-void Overlaps::find_all() {
+void ForestOverlaps::find_all() {
   pairs_.clear();
   for (std::uint32_t f = 0; f < forest_.face_count(); ++f) {
     forest_.visit_near(forest_.tree_of(f), forest_.circle(f).centre, forest_.circle(f).radius,
@@ -21,7 +21,7 @@ void Overlaps::find_all() {
   }
 }
 
-std::uint32_t Overlaps::count_new(const Move& move, std::uint32_t limit) {
+std::uint32_t ForestOverlaps::count_new(const Move& move, std::uint32_t limit) {
   if (move.splits()) {
     carried_.found().clear();
     return 0;
@@ -36,7 +36,7 @@ std::uint32_t Overlaps::count_new(const Move& move, std::uint32_t limit) {
                         limit);
 }
 
-std::int64_t Overlaps::added(const Move& move, std::int64_t limit) {
+std::int64_t ForestOverlaps::added(const Move& move, std::int64_t limit) {
   std::int64_t old = 0;
   if (total() > 0 && !move.joins()) {
     pairs_.visit_across(forest_, forest_.carried(move).faces, [&](std::uint32_t, std::uint32_t) { ++old; });
@@ -47,7 +47,7 @@ std::int64_t Overlaps::added(const Move& move, std::int64_t limit) {
   return static_cast<std::int64_t>(count_new(move, static_cast<std::uint32_t>(limit + old))) - old;
 }
 
-void Overlaps::make(const Move& move) {
+void ForestOverlaps::make(const Move& move) {
   count_new(move, nothing);
   if (!move.joins()) {
     pairs_.drop_across(forest_, forest_.carried(move).faces);

@@ -12,10 +12,10 @@ namespace ridgecraft::unfold {
 
 /// All overlapping pairs of a forest. Whoever moves the forest says so (make), or has it looked at again
 /// (find_all). The forest must outlive it.
-class Overlaps {
+class ForestOverlaps {
  public:
   /// Overlap is penetration deeper than `tolerance`, mm. Knows of no pair until find_all().
-  Overlaps(const Forest& forest, double tolerance);
+  ForestOverlaps(const Forest& forest, double tolerance);
 
   /// Finds all pairs of the forest as it is. O(n log n + pairs).
   void find_all();

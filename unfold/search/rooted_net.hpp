@@ -89,10 +89,6 @@ class RootedNet {
   /// Calls use(face) for each face whose circle comes nearer than `radius` to a point.
   template <class Use>
   void visit_near(Vec2 centre, double radius, Use use);
-  /// Calls use(f, g) for the pairs of a face on either side of the fold above `below` whose circles come
-  /// nearer than `reach`.
-  template <class Use>
-  void visit_near_across(std::uint32_t below, double reach, Use use) const;
 
  private:
   [[nodiscard]] std::uint32_t wrap(std::uint32_t position) const {
@@ -151,51 +147,6 @@ void RootedNet::visit_near(Vec2 centre, double radius, Use use) {
     const std::uint32_t block = node - tree_.first_leaf();
     for (std::uint32_t met = tree_.meeting(block, circle); met != 0; met &= met - 1) {
       use(order_[block * CircleTree::block_size + static_cast<std::uint32_t>(std::countr_zero(met))]);
-    }
-  }
-}
-
-template <class Use>
-void RootedNet::visit_near_across(std::uint32_t below, double reach, Use use) const {
-  constexpr std::uint32_t size = CircleTree::block_size;
-  const Span moved = moved_span(below);
-  const std::uint32_t leaf = tree_.first_leaf();
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // blocks of the side that moves, nodes
-  const auto begin = [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t block = first / size; block * size < last; ++block) {
-      open.emplace_back(block, 1);
-    }
-  };
-  begin(moved.first, std::min(moved.first + moved.count, n_));
-  begin(0, moved.first + moved.count > n_ ? moved.first + moved.count - n_ : 0);
-  const auto inside = [&](std::uint32_t position) { return steps(moved.first, position) < moved.count; };
-  const auto test_blocks = [&](std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t i = a * size; i < std::min(a * size + size, n_); ++i) {
-      if (!inside(i)) {
-        continue;
-      }
-      Circle circle = tree_.circle(i);
-      circle.radius += reach;
-      for (std::uint32_t met = tree_.meeting(b, circle); met != 0; met &= met - 1) {
-        const std::uint32_t j = b * size + static_cast<std::uint32_t>(std::countr_zero(met));
-        if (!inside(j)) {
-          use(order_[i], order_[j]);
-        }
-      }
-    }
-  };
-  while (!open.empty()) {
-    const auto [block, node] = open.back();
-    open.pop_back();
-    const Circle& here = tree_[leaf + block];
-    if (tree_[node].radius < 0.0 || apart({here.centre, here.radius + reach}, tree_[node])) {
-      continue;
-    }
-    if (node >= leaf) {
-      test_blocks(block, node - leaf);
-    } else {
-      open.emplace_back(block, 2 * node);
-      open.emplace_back(block, 2 * node + 1);
     }
   }
 }

@@ -8,14 +8,6 @@
 
 namespace ridgecraft::unfold {
 
-std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, RootedNet& net, Random& random) {
-  const std::vector<std::uint32_t>& path = net.removable_between(cut / 3, patch.twin[cut] / 3);
-  if (path.empty()) {
-    return std::nullopt;
-  }
-  return Swap{draw(path, random), cut};
-}
-
 std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, RootedNet& net, Branch& branch,
                                       Random& random) {
   const std::vector<std::uint32_t>& path = net.removable_between(f, g);

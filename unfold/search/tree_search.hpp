@@ -28,10 +28,6 @@ template <class T>
   return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
-/// A cut comes in, and one of the folds that may leave for it goes. Nothing where none may.
-[[nodiscard]] std::optional<Swap> draw_swap_at(std::uint32_t cut, const Patch& patch, RootedNet& net,
-                                               Random& random);
-
 /// One of the folds on the way from one face to another goes, and one of the cuts across it comes in, so that
 /// they hang together by another way. Nothing where there is none. `branch` is space to work in.
 [[nodiscard]] std::optional<Swap> draw_swap_between(std::uint32_t f, std::uint32_t g, RootedNet& net,
