@@ -26,7 +26,7 @@ struct Plan {
   prepare::Panels whole;
   EdgeConstraints possible_constraints;  ///< of those in UnfoldProblem::options; empty if there are none
   IdVector<FaceId, PartId> group;  ///< faces that are unfolded together: parts that keep what is to be kept
-  std::vector<Message> notes;  ///< for Nets::notes
+  std::vector<Message> notes;      ///< for Nets::notes
 };
 
 /// Throws Error(no_nets) where a face is larger than the sheet: it can't be cut from any. O(n).

@@ -136,8 +136,7 @@ Job built(Builder build, const Arguments& arguments) {
 
 Job parse_arguments(const std::vector<std::string>& arguments) {
   if (arguments.empty()) {
-    refuse(
-        "name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help says the rest");
+    refuse("name the model to turn into paper, as in: ridgecraft whale.obj; ridgecraft --help says the rest");
   }
   const std::string& first = arguments.front();
   if (const Builder build = builder_of(first); build != nullptr) {
