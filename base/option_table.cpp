@@ -321,7 +321,7 @@ std::vector<OptionGroup> option_groups() {
        .setting = "max_faces", .noted = Noted::with_pages, .keyword = "max_faces",
        .studio = {"pieces", {"Faces of a piece at most", "Flächen eines Teils höchstens"}, {},
            {"a number, or any", "eine Zahl oder any"}}},
-      {.name = "weigh", .kind = Kind::list, .takes = "TERM=WEIGHT", .high = 1e6,
+      {.name = "weigh", .kind = Kind::list, .takes = "TERM=WEIGHT", .high = 1e12,
        .help = "How much a property of nets counts when the best ones are chosen, in mm of seam. May be "
        "given for several terms:\n"
        "seam=1: a mm of seam to glue;\n"

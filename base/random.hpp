@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace ridgecraft {
 
@@ -13,8 +14,7 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
   /// A sequence of its own for the i-th of many tasks that share a seed, so that what one draws doesn't
   /// depend on which others ran before it. Two uses of one seed that must not draw alike give one of them
-  /// ~seed. The starts of `unfold/search/net_search.cpp` are older and made otherwise (the state of start i
-  /// is that after i numbers of the first one's sequence): nets that people have already come from there.
+  /// ~seed.
   [[nodiscard]] static Random stream(std::uint64_t seed, std::uint64_t i) {
     return Random(seed ^ (step * (i + 1)));
   }
@@ -36,5 +36,11 @@ class Random {
 
   std::uint64_t state_;
 };
+
+/// One of them; there must be one.
+template <class T>
+[[nodiscard]] const T& pick(const std::vector<T>& from, Random& random) {
+  return from[random.below(static_cast<std::uint32_t>(from.size()))];
+}
 
 }  // namespace ridgecraft

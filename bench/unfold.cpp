@@ -27,6 +27,7 @@
 #include <CGAL/Exact_rational.h>
 
 #include "base/error.hpp"
+#include "base/random.hpp"
 #include "bench/spiky_bodies.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface.hpp"
@@ -34,7 +35,7 @@
 #include "segment/segment.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/pieces/fewest_pieces.hpp"
+#include "unfold/patch/tree.hpp"
 #include "unfold/search/net_search.hpp"
 
 using namespace ridgecraft;
@@ -56,8 +57,8 @@ struct Row {
   std::size_t checked = 0;
   std::size_t false_successes = 0;
   std::vector<double> seconds;
-  std::vector<double> iterations;
-  std::vector<std::size_t> pieces_left;  ///< per run that wasn't solved: the fewest pieces that were found
+  std::vector<double> trials;
+  std::vector<std::size_t> overlaps_left;  ///< per run that wasn't solved: pairs of faces
 };
 
 using Exact = CGAL::Exact_rational;
@@ -211,26 +212,21 @@ void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs
     }
     const double start = cpu_seconds();
     const unfold::Patch patch = unfold::make_patch(surface, panels, faces);
-    unfold::NetSearch options;
-    options.tolerance = unfold::search_tolerance * patch.extent;
-    options.iterations = unfold::iteration_budget(patch.size());
-    options.idle = unfold::idle_iterations(patch.size());
+    Random random(static_cast<std::uint64_t>(seed));
+    const double tolerance = unfold::search_tolerance * patch.extent;
     const unfold::NetFound found =
-        unfold::find_net(patch, options, static_cast<std::uint64_t>(seed), context);
-    unfold::FewestPieces few{found.folds, 1, 1};
-    if (found.overlaps > 0) {
-      few = unfold::fewest_pieces(patch, found, options.tolerance, static_cast<std::uint64_t>(seed), context);
-    }
+        unfold::find_net(patch, unfold::start_tree(patch, unfold::StartTree::short_cuts, random),
+                         {tolerance, unfold::patient_trials(patch.size())}, random.next(), context);
     row.seconds.push_back(cpu_seconds() - start);
-    row.iterations.push_back(static_cast<double>(found.iterations));
-    if (few.pieces > 1) {
-      row.pieces_left.push_back(few.pieces);
+    row.trials.push_back(static_cast<double>(found.trials));
+    if (found.overlaps > 0) {
+      row.overlaps_left.push_back(found.overlaps);
       continue;
     }
     ++row.solved;
     if (runs.check) {
       ++row.checked;
-      row.false_successes += is_net(surface, patch, few.folds, options.tolerance) ? 0U : 1U;
+      row.false_successes += is_net(surface, patch, found.folds, tolerance) ? 0U : 1U;
     }
   }
 }
@@ -241,8 +237,8 @@ void add(const Row& from, Row& to) {
   to.checked += from.checked;
   to.false_successes += from.false_successes;
   to.seconds.insert(to.seconds.end(), from.seconds.begin(), from.seconds.end());
-  to.iterations.insert(to.iterations.end(), from.iterations.begin(), from.iterations.end());
-  to.pieces_left.insert(to.pieces_left.end(), from.pieces_left.begin(), from.pieces_left.end());
+  to.trials.insert(to.trials.end(), from.trials.begin(), from.trials.end());
+  to.overlaps_left.insert(to.overlaps_left.end(), from.overlaps_left.begin(), from.overlaps_left.end());
 }
 
 /// The value below which this share of the values lies; 0 when there are none.
@@ -269,7 +265,7 @@ struct Settings {
 void print(const Row& row) {
   std::printf("%-22s %6zu %6zu %6zu %10.5f %10.5f %10.4f %10.0f", row.name.c_str(), row.faces,
               row.seconds.size(), row.solved, quantile(row.seconds, 0.5), quantile(row.seconds, 0.9),
-              quantile(row.seconds, 1.0), quantile(row.iterations, 0.5));
+              quantile(row.seconds, 1.0), quantile(row.trials, 0.5));
   std::printf(row.false_successes > 0 ? "  %zu FALSE\n" : "\n", row.false_successes);
   std::fflush(stdout);
 }
@@ -296,8 +292,8 @@ std::vector<Row> run_spiky(const Settings& settings) {
     row.faces = body.surface.face_count();
     run(body.surface, all_faces(body.surface), settings.runs, row);
     print(row);
-    for (const std::size_t pieces : row.pieces_left) {
-      std::printf("%-22s becomes %zu pieces\n", "", pieces);
+    for (const std::size_t overlaps : row.overlaps_left) {
+      std::printf("%-22s %zu overlaps are left\n", "", overlaps);
     }
     rows.push_back(std::move(row));
   }
@@ -358,8 +354,8 @@ Row run_parts(const Settings& settings) {
         row.faces = faces.size();
         run(model.surface, faces, runs, row);
         print(row);
-        for (const std::size_t pieces : row.pieces_left) {
-          std::printf("%-22s becomes %zu pieces\n", "", pieces);
+        for (const std::size_t overlaps : row.overlaps_left) {
+          std::printf("%-22s %zu overlaps are left\n", "", overlaps);
         }
         add(row, all);
       }
@@ -397,10 +393,10 @@ void write_json(const std::string& path, const std::vector<Row>& rows, double gr
         << ", \"runs\": " << row.seconds.size() << ", \"solved\": " << row.solved
         << ", \"median_s\": " << quantile(row.seconds, 0.5) << ", \"p90_s\": " << quantile(row.seconds, 0.9)
         << ", \"max_s\": " << quantile(row.seconds, 1.0)
-        << ", \"median_iterations\": " << quantile(row.iterations, 0.5) << ", \"checked\": " << row.checked
-        << ", \"false_successes\": " << row.false_successes << ", \"pieces_of_unsolved\": [";
-    for (std::size_t k = 0; k < row.pieces_left.size(); ++k) {
-      out << (k > 0 ? ", " : "") << row.pieces_left[k];
+        << ", \"median_trials\": " << quantile(row.trials, 0.5) << ", \"checked\": " << row.checked
+        << ", \"false_successes\": " << row.false_successes << ", \"overlaps_of_unsolved\": [";
+    for (std::size_t k = 0; k < row.overlaps_left.size(); ++k) {
+      out << (k > 0 ? ", " : "") << row.overlaps_left[k];
     }
     out << "]}";
   }
@@ -439,7 +435,7 @@ int main(int argc, char** argv) {
   try {
     const Settings settings = parse(argc, argv);
     std::printf("%-22s %6s %6s %6s %10s %10s %10s %10s\n", "model", "faces", "runs", "solved", "median s",
-                "90 % s", "max s", "iterations");
+                "90 % s", "max s", "trials");
     std::vector<Row> rows = run_models(settings);
     double growth = 0.0;
     if (settings.spiky) {

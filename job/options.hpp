@@ -81,7 +81,7 @@ struct Options {
   unfold::TabOptions tabs;
   unfold::TabChoice tab_choice;  ///< of tabs on the finished nets
   std::string tab_file_digest;   ///< of the text that tab_choice.edges was read from, or nothing
-  unfold::PieceRules pieces;
+  unfold::PieceRules pieces = unfold::rules_of_single_parts();
   unfold::PanelCuts panel_cuts = unfold::PanelCuts::only_if_too_large;
   EdgeRequests edges;
   export_::Style style;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,7 +29,6 @@
 #include "unfold/patch/problem.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/unfold.hpp"
-#include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -48,21 +48,24 @@ bool is_as_before(const mesh::Surface& surface, const Nets& before, const Nets& 
          });
 }
 
-/// What reasons are found from: each piece that isn't the one that stands for its part was cut off whole.
-Causes causes_in(const Nets& nets) {
-  Causes causes(nets.piece.size());
-  for (const Piece& piece : nets.pieces) {
-    for (const FaceId f : piece.faces) {
-      causes[f.value()] = {piece.reason, piece.faces.front().value()};
-    }
+/// The reason of the pieces that a piece has its faces of: that of most, but none where one of them stood for
+/// its part.
+PieceReason reason_before(const Nets& before, const Piece& piece) {
+  std::map<PieceReason, std::size_t> reasons;
+  for (const FaceId f : piece.faces) {
+    ++reasons[before.pieces[before.piece[f]].reason];
   }
-  return causes;
+  return reasons.contains(PieceReason::part)
+             ? PieceReason::part
+             : std::max_element(reasons.begin(), reasons.end(), [](const auto& a, const auto& b) {
+                 return a.second < b.second;
+               })->first;
 }
 
 /// The pieces that `changed.use` says, in their order, each face where `changed.flat` has it, without joins,
 /// tabs, kinds of equal pieces and notes. Pieces that were there `before` are folded as they were.
 /// O(n log n) but for the order in which new pieces are folded.
-Nets nets_of_uses(const UnfoldProblem& problem, const Nets& before, const Nets& changed, const Causes& causes,
+Nets nets_of_uses(const UnfoldProblem& problem, const Nets& before, const Nets& changed,
                   const Context& context) {
   const mesh::Surface& surface = problem.surface;
   std::vector<FaceId> faces;
@@ -73,12 +76,13 @@ Nets nets_of_uses(const UnfoldProblem& problem, const Nets& before, const Nets& 
   for (const CornerId c : ids<CornerId>(surface.corner_count())) {
     folds[c.value()] = changed.use[surface.edge(c)] == EdgeUse::fold ? 1 : 0;
   }
-  Nets nets = nets_of_folds(surface, problem.part, make_patch(surface, problem.panels, faces), folds, causes);
+  Nets nets = nets_of_folds(surface, problem.part, make_patch(surface, problem.panels, faces), folds);
   nets.flat = changed.flat;
   nets.broken_constraints = count_broken(problem.options.constraints, nets);
   count_holes(surface, nets);
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     Piece& piece = nets.pieces[p];
+    piece.reason = reason_before(before, piece);
     piece.folding = is_as_before(surface, before, nets, piece)
                         ? before.pieces[before.piece[piece.faces.front()]].folding
                         : find_fold_order(surface, nets, p, context);
@@ -172,11 +176,9 @@ ChangedNets cut_fold(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
     half[halves.find(f.value()) == halves.find(beside[0].value()) ? 0 : 1].push_back(f);
   }
   const auto& smaller = half[area_of(problem.surface, half[0]) < area_of(problem.surface, half[1]) ? 0 : 1];
-  Causes causes = causes_in(nets);
-  for (const FaceId f : smaller) {
-    causes[f.value()] = {PieceReason::request, smaller.front().value()};
-  }
-  return nets_of_uses(problem, nets, changed, causes, context);
+  Nets cut = nets_of_uses(problem, nets, changed, context);
+  cut.pieces[cut.piece[smaller.front()]].reason = PieceReason::request;
+  return cut;
 }
 
 ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge, const Context& context) {
@@ -216,7 +218,7 @@ ChangedNets join_cut(const UnfoldProblem& problem, const Nets& nets, EdgeId edge
   changed.use[edge] = EdgeUse::fold;
   close_flat_cuts(problem.surface, problem.panels,
                   slits_of(problem.surface, problem.options.constraints, nets), changed);
-  Nets joined = nets_of_uses(problem, nets, changed, causes_in(nets), context);
+  Nets joined = nets_of_uses(problem, nets, changed, context);
   const Piece& made = joined.pieces[joined.piece[beside[0]]];
   if (problem.options.pieces.fold_linear && made.folding.way != FoldWay::together) {
     return Refusal{Message("wouldnt_fold_together", names), beside};
@@ -324,7 +326,7 @@ ChangedNets retry_pieces(const UnfoldProblem& problem, const Nets& nets, std::sp
       changed.flat[one.from.face[f]] = found->flat[f];
     }
   }
-  return nets_of_uses(problem, nets, changed, causes_in(nets), context);
+  return nets_of_uses(problem, nets, changed, context);
 }
 
 }  // namespace ridgecraft::unfold

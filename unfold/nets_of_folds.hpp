@@ -6,18 +6,12 @@
 #include "mesh/model/surface.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
 
-/// Each tree of the folds as a piece: by part, large ones first, each with the reason that most of its faces
-/// have in `causes`. Joins, tabs, holes, fold order and notes are missing. `patch`: whole_patch. O(n log n).
+/// Each tree of the folds as a piece: by part, large ones first. Reasons, joins, tabs, holes, fold order and
+/// notes are missing. `patch`: whole_patch. O(n log n).
 [[nodiscard]] Nets nets_of_folds(const mesh::Surface& surface, const IdVector<FaceId, PartId>& part,
-                                 const Patch& patch, const Folds& folds, const Causes& causes);
-
-/// The pieces that were split off others, but for the largest of each, are there for this reason. Their
-/// number. `before`, `after`: folds of whole_patch. O(n log n).
-std::size_t blame(const Patch& patch, const Folds& before, const Folds& after, PieceReason reason,
-                  Causes& causes);
+                                 const Patch& patch, const Folds& folds);
 
 }  // namespace ridgecraft::unfold

@@ -18,7 +18,7 @@
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/problem.hpp"
 #include "unfold/pieces/kept_edges.hpp"
-#include "unfold/pieces/patch_nets.hpp"
+#include "unfold/pieces/start_nets.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -63,9 +63,8 @@ prepare::Panels fitting_panels(const mesh::Surface& surface, const prepare::Pane
       shares.clear();
       for (const std::vector<FaceId>& component : connected(surface, faces)) {
         const Patch patch = make_patch(surface, single, component);
-        const PatchNets nets = unfold_patch(patch, bits, PanelCuts::only_if_too_large,
-                                            net_tolerance(patch.extent), 1, Effort::brief, context);
-        for (const auto& piece : lay_out(patch, nets.folds).faces) {
+        const Folds folds = start_nets(patch, bits, {net_tolerance(patch.extent)}, 1, context);
+        for (const auto& piece : lay_out(patch, folds).faces) {
           std::vector<FaceId>& share = shares.emplace_back();
           for (const std::uint32_t f : piece) {
             share.push_back(component[f]);
@@ -96,19 +95,21 @@ Room room_of(const Options& options) {
 void settle(const UnfoldProblem& problem, const Context& context, Plan& plan) {
   EdgeConstraints constraints = problem.options.constraints;
   const PieceRules& rules = problem.options.pieces;
-  if (rules.merge && rules.mode != PieceMode::few) {
+  if (rules.mode != PieceMode::few) {
     constraints = with_bands_kept(problem.surface, plan.whole, problem.options.labels.items(), constraints,
                                   rules.weights);
   }
+  // Where it costs nothing that a piece has faces of several parts, the search begins without them.
+  plan.group =
+      rules.weights.parts > 0.0 ? problem.part : IdVector<FaceId, PartId>(problem.part.size(), PartId(0));
   if (constraints.empty()) {
-    plan.group = problem.part;
     return;
   }
   const double tolerance = net_tolerance(problem.surface.bounds().largest_extent());
   KeptEdges kept =
       settle_constraints(problem.surface, plan.whole, constraints, plan.room, tolerance, context);
   plan.possible_constraints = std::move(kept.constraints);
-  plan.group = parts_of_whole_panels(problem.surface, kept.groups, problem.part);
+  plan.group = parts_of_whole_panels(problem.surface, kept.groups, plan.group);
 }
 
 }  // namespace
@@ -134,6 +135,15 @@ Plan make_plan(const UnfoldProblem& problem, const Context& context) {
   plan.whole = fitting_panels(problem.surface, problem.panels, plan.room, context, plan.notes);
   settle(problem, context, plan);
   return plan;
+}
+
+Patch whole_patch(const UnfoldProblem& problem, const Plan& plan) {
+  std::vector<FaceId> faces;
+  for (const FaceId f : ids<FaceId>(problem.surface.face_count())) {
+    faces.push_back(f);
+  }
+  return make_patch(problem.surface, plan.whole, faces, plan.possible_constraints.items(),
+                    problem.options.labels.items());
 }
 
 }  // namespace ridgecraft::unfold

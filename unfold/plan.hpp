@@ -13,6 +13,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
 #include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
@@ -34,5 +35,9 @@ void refuse_large_faces(const UnfoldProblem& problem);
 
 /// O(n) but for regions that have to be divided and constraints. Throws Error(interrupted).
 [[nodiscard]] Plan make_plan(const UnfoldProblem& problem, const Context& context);
+
+/// The whole surface as one patch: its face i is face i of the surface, and what searches keep whole is
+/// frozen. O(n log n).
+[[nodiscard]] Patch whole_patch(const UnfoldProblem& problem, const Plan& plan);
 
 }  // namespace ridgecraft::unfold

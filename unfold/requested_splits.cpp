@@ -22,6 +22,7 @@
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/tab_split.hpp"
+#include "unfold/search/free_folding.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs_of_nets.hpp"
 
@@ -30,11 +31,6 @@ namespace {
 
 // Where no tree was found that folds up with all creases together, the piece is split: for sheets that fold
 // themselves.
-
-struct LinearSplit {
-  Folds folds;
-  std::size_t stuck = 0;  ///< pieces that still don't fold together, held by kept edges
-};
 
 using Faces = std::vector<std::uint32_t>;
 
@@ -70,18 +66,17 @@ std::uint32_t best_cut(const Patch& piece, const Folds& tree, const FacePairs& p
 /// One piece of the forest and what becomes of it.
 class Splitting {
  public:
-  Splitting(const Patch& piece, Folds folds, const Room& room, double tolerance, std::uint64_t seed,
+  Splitting(const Patch& piece, Folds folds, const NetProblem& problem, std::uint64_t seed,
             const Context& context)
       : piece_(piece),
         folds_(std::move(folds)),
-        room_(room),
-        tolerance_(tolerance),
+        room_(problem.room),
+        tolerance_(problem.tolerance()),
         random_(seed),
         context_(context) {}
 
-  /// Its folds, and how many pieces of them don't fold together.
-  LinearSplit run() {
-    std::size_t stuck = 0;
+  /// Folds of pieces that fold together, but those that edges to be kept hold.
+  Folds run() {
     std::vector<Faces> open = lay_out(piece_, folds_).faces;
     while (!open.empty()) {
       Faces faces = std::move(open.back());
@@ -91,9 +86,7 @@ class Splitting {
       Folds tree = folding_tree(part, sub_folds(piece_, folds_, faces));
       if (!folds_together(part, tree, context_)) {
         const std::uint32_t cut = cut_of(part, tree);
-        if (cut == nothing) {
-          ++stuck;
-        } else {
+        if (cut != nothing) {
           set_fold(part, tree, cut, false);
           for (const Faces& half : lay_out(part, tree).faces) {
             Faces& next = open.emplace_back();
@@ -104,7 +97,7 @@ class Splitting {
       }
       put_back(piece_, faces, tree, folds_);
     }
-    return {std::move(folds_), stuck};
+    return std::move(folds_);
   }
 
  private:
@@ -144,39 +137,22 @@ class Splitting {
   const Context& context_;
 };
 
-/// Gives each piece of a clean forest that doesn't fold up with all creases together (fold_order.hpp) a tree
-/// that does, whatever that costs in tabs; where none is found the fold goes that lies between the most pairs
-/// of faces that meet on the way, among equals the one that leaves the most balanced pieces, and both halves
-/// are looked at in the same way. Pieces that fit the room still do. At the deadline nothing is searched any
-/// more, but pieces are split all the same. A piece is one task; about 0.05 s for
-/// one of 80 faces that has to be split. Deterministic for one seed but for the deadline.
-LinearSplit split_to_fold_together(const Patch& patch, const Folds& folds, const Room& room, double tolerance,
-                                   std::uint64_t seed, const Context& context) {
-  std::vector<Faces> pieces = lay_out(patch, folds).faces;
-  std::vector<LinearSplit> splits(pieces.size());
-  do_in_parallel(pieces.size(), context, [&](std::size_t i, const Context& own) {
-    std::sort(pieces[i].begin(), pieces[i].end());
-    Random seeds(seed ^ (0x9e3779b97f4a7c15ULL * (i + 1)));
-    const Patch piece = sub_patch(patch, pieces[i]);
-    splits[i] =
-        Splitting(piece, sub_folds(patch, folds, pieces[i]), room, tolerance, seeds.next(), own).run();
-  });
-  LinearSplit result{folds, 0};
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    put_back(patch, pieces[i], splits[i].folds, result.folds);
-    result.stuck += splits[i].stuck;
-  }
-  return result;
-}
-
 }  // namespace
 
-LinearFolding fold_together(const Plan& plan, const Patch& patch, const Folds& folds, Causes causes,
-                            const Context& context) {
-  LinearSplit split =
-      split_to_fold_together(patch, folds, plan.room, net_tolerance(patch.extent), context.seed, context);
-  LinearFolding result{std::move(split.folds), std::move(causes)};
-  result.split_pieces = blame(patch, folds, result.folds, PieceReason::folding, result.causes);
+Folds split_to_fold_together(const NetProblem& problem, const Folds& folds, const Context& context) {
+  const Patch& patch = problem.patch;
+  std::vector<Faces> pieces = lay_out(patch, folds).faces;
+  std::vector<Folds> splits(pieces.size());
+  do_in_parallel(pieces.size(), context, [&](std::size_t i, const Context& own) {
+    std::sort(pieces[i].begin(), pieces[i].end());
+    const Patch piece = sub_patch(patch, pieces[i]);
+    const std::uint64_t seed = Random::stream(context.seed, i).next();
+    splits[i] = Splitting(piece, sub_folds(patch, folds, pieces[i]), problem, seed, own).run();
+  });
+  Folds result = folds;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    put_back(patch, pieces[i], splits[i], result);
+  }
   return result;
 }
 
@@ -191,30 +167,24 @@ void note_linear_folding(std::size_t split_pieces, Nets& nets) {
   }
 }
 
-namespace {}  // namespace
-
 bool wants_all_tabs(const Options& options) {
   return options.tabs.wanted && options.tabs.split_pieces;
 }
 
-AllTabs give_all_tabs(const UnfoldProblem& problem, const Plan& plan, const Patch& patch, const Folds& folds,
-                      const Causes& causes, const Context& context) {
+Folds give_all_tabs(const UnfoldProblem& problem, const NetProblem& nets, const EdgeConstraints& constraints,
+                    const Folds& folds, const Context& context) {
   if (context.out_of_time()) {
-    return {folds, causes, 0, false};
+    return folds;
   }
   // Nets as they will be returned: tabs go by the flat regions of the model.
   const NetsOf nets_of = [&](const Folds& tried) {
-    Nets nets = nets_of_folds(problem.surface, problem.part, patch, tried, causes);
-    close_flat_cuts(problem.surface, problem.panels, plan.possible_constraints, nets);
-    give_tabs({problem.surface, problem.panels, problem.options}, nets, context);
-    return nets;
+    Nets made = nets_of_folds(problem.surface, problem.part, nets.patch, tried);
+    close_flat_cuts(problem.surface, problem.panels, constraints, made);
+    give_tabs({problem.surface, problem.panels, problem.options}, made, context);
+    return made;
   };
-  const NetProblem net_problem{problem.surface,      problem.panels,  patch,
-                               problem.part.items(), problem.options, plan.room};
-  TabSplit split = split_for_tabs(net_problem, folds, nets_of, context);
-  AllTabs result{std::move(split.folds), causes, 0, !context.out_of_time()};
-  result.split_pieces = blame(patch, folds, result.folds, PieceReason::tabs, result.causes);
-  return result;
+  const NetProblem tabbed{problem.surface, problem.panels, nets.patch, nets.part, problem.options, nets.room};
+  return split_for_tabs(tabbed, folds, nets_of, context).folds;
 }
 
 void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& nets) {

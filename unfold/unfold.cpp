@@ -21,12 +21,12 @@
 #include "unfold/pieces/best_pieces.hpp"
 #include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
-#include "unfold/pieces/fewer_pieces.hpp"
 #include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/start_nets.hpp"
 #include "unfold/plan.hpp"
+#include "unfold/reasons.hpp"
 #include "unfold/requested_splits.hpp"
 #include "unfold/tabs_of_nets.hpp"
-#include "unfold/unfolded_parts.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -54,13 +54,50 @@ void insist_on_no_overlap(const Nets& nets) {
   }
 }
 
-/// How many pieces that are there for a reason came with copies of bodies.
-std::size_t more_pieces(const Nets& originals, const Nets& all, PieceReason reason) {
-  const auto count = [&](const Nets& nets) {
-    return std::count_if(nets.pieces.begin(), nets.pieces.end(),
-                         [&](const Piece& piece) { return piece.reason == reason; });
-  };
-  return static_cast<std::size_t>(count(all) - count(originals));
+std::size_t count_pieces(const Nets& nets, PieceReason reason) {
+  return static_cast<std::size_t>(std::count_if(nets.pieces.begin(), nets.pieces.end(),
+                                                [&](const Piece& piece) { return piece.reason == reason; }));
+}
+
+/// How far unfolding has come when all groups have their first nets.
+constexpr double share_of_start = 0.3;
+
+/// The first nets of each connected set of faces of one group (Plan::group), as folds of whole_patch.
+Folds start_forest(const UnfoldProblem& problem, const Plan& plan, const Context& context) {
+  std::uint32_t groups = 0;
+  for (const PartId g : plan.group) {
+    groups = std::max(groups, g.value() + 1);
+  }
+  IdVector<PartId, std::vector<FaceId>> faces(groups);
+  for (const FaceId f : ids<FaceId>(problem.surface.face_count())) {
+    faces[plan.group[f]].push_back(f);
+  }
+  std::vector<std::vector<FaceId>> tasks;
+  for (const std::vector<FaceId>& group : faces) {
+    for (std::vector<FaceId>& patch : connected(problem.surface, group, plan.possible_constraints.items())) {
+      tasks.push_back(std::move(patch));
+    }
+  }
+  Folds folds(problem.surface.corner_count(), 0);
+  const PieceRules& pieces = problem.options.pieces;
+  do_in_parallel(
+      tasks.size(), context,
+      [&](std::size_t i, const Context& own) {
+        const Patch patch = make_patch(problem.surface, plan.whole, tasks[i],
+                                       plan.possible_constraints.items(), problem.options.labels.items());
+        const StartRules rules{net_tolerance(patch.extent), problem.options.panel_cuts,
+                               pieces.mode == PieceMode::few};
+        const Folds own_folds =
+            start_nets(patch, plan.room, rules, Random::stream(context.seed, i).next(), own);
+        for (std::uint32_t side = 0; side < own_folds.size(); ++side) {
+          folds[3 * patch.face[side / 3].value() + side % 3] = own_folds[side];
+        }
+      },
+      [&](std::size_t done) {
+        context.report("unfold",
+                       share_of_start * static_cast<double>(done) / static_cast<double>(tasks.size()));
+      });
+  return folds;
 }
 
 /// The pieces of a surface, from its parts to finished nets: each step takes the forest as the one before
@@ -77,9 +114,9 @@ class Unfolding {
         problem_{asked_.surface, plan_.whole, patch_, asked_.part.items(), asked_.options, plan_.room} {}
 
   Nets run() {
-    unfold_each_part();
+    folds_ = start_forest(asked_, plan_, context_);
     find_mirror_images();
-    search_pieces();
+    folds_ = best_pieces(problem_, folds_, images_.edge, context_);
     folds_ = better_trees(problem_, folds_, images_.edge, context_);
     split_for_requests();
     Nets nets = finished_nets();
@@ -88,13 +125,6 @@ class Unfolding {
   }
 
  private:
-  void unfold_each_part() {
-    UnfoldedParts parts = unfold_parts(asked_, plan_, context_);
-    folds_ = std::move(parts.folds);
-    causes_ = std::move(parts.causes);
-    part_notes_ = std::move(parts.notes);
-  }
-
   void find_mirror_images() {
     if (!context_.out_of_time()) {
       images_ = each_ ? mirror_images_of(whole_, *each_)
@@ -102,41 +132,30 @@ class Unfolding {
     }
   }
 
-  /// Where as few pieces as possible are wanted, a body that became several is looked at once more.
-  void search_pieces() {
-    folds_ = best_pieces(problem_, folds_, images_.edge, context_);
-    const PieceRules& rules = asked_.options.pieces;
-    if (rules.merge && rules.mode == PieceMode::few && !context_.out_of_time()) {
-      folds_ = best_pieces(problem_, fewer_pieces(problem_, folds_, context_), images_.edge, context_);
-    }
-  }
-
   void split_for_requests() {
     in_time_for_nets_ = !context_.out_of_time();
-    split_ = wants_all_tabs(asked_.options) ? give_all_tabs(asked_, plan_, patch_, folds_, causes_, context_)
-                                            : AllTabs{folds_, causes_};
+    if (wants_all_tabs(asked_.options)) {
+      folds_ = give_all_tabs(asked_, problem_, plan_.possible_constraints, folds_, context_);
+      in_time_for_tabs_ = !context_.out_of_time();
+    }
     if (asked_.options.pieces.fold_linear) {
-      LinearFolding linear = fold_together(plan_, patch_, split_.folds, std::move(split_.causes), context_);
-      split_.folds = std::move(linear.folds);
-      split_.causes = std::move(linear.causes);
-      split_off_to_fold_ = linear.split_pieces;
+      folds_ = split_to_fold_together(problem_, folds_, context_);
     }
   }
 
   /// All nets, with everything that belongs on a piece.
   Nets finished_nets() {
-    Nets nets = nets_of_folds(asked_.surface, asked_.part, patch_, split_.folds, split_.causes);
+    Nets nets = nets_of_folds(asked_.surface, asked_.part, patch_, folds_);
     close_flat_cuts(asked_.surface, asked_.panels, plan_.possible_constraints, nets);
     count_holes(asked_.surface, nets);
     insist_on_no_overlap(nets);
+    find_reasons(problem_, folds_, nets, context_);
     do_in_parallel(nets.pieces.size(), context_, [&](std::size_t i, const Context& own) {
       nets.pieces[PieceId(i)].folding = find_fold_order(asked_.surface, nets, PieceId(i), own);
     });
     give_tabs({asked_.surface, asked_.panels, asked_.options}, nets, context_);
     if (each_) {
-      const Nets originals = std::exchange(nets, with_copies(whole_, *each_, nets));
-      split_.split_pieces += more_pieces(originals, nets, PieceReason::tabs);
-      split_off_to_fold_ += more_pieces(originals, nets, PieceReason::folding);
+      nets = with_copies(whole_, *each_, nets);
     }
     add_base_tabs(whole_.surface, whole_.options, {}, nets, context_);
     nets.equal = find_equal_pieces(whole_.surface, nets);
@@ -149,17 +168,12 @@ class Unfolding {
     if (whole_.options.tabs.wanted && !in_time_for_nets_) {
       nets.notes.emplace_back("tabs_untried");
     }
-    for (PartNote& note : part_notes_) {
-      note.face = each_ ? each_->kept.face[note.face] : note.face;
-    }
-    const std::vector<Message> of_parts = messages(part_notes_, nets);
-    nets.notes.insert(nets.notes.end(), of_parts.begin(), of_parts.end());
     note_broken_constraints(whole_.options.constraints, nets);
     if (whole_.options.pieces.fold_linear) {
-      note_linear_folding(split_off_to_fold_, nets);
+      note_linear_folding(count_pieces(nets, PieceReason::folding), nets);
     }
     if (wants_all_tabs(whole_.options)) {
-      note_all_tabs(whole_, split_, nets);
+      note_all_tabs(whole_, {count_pieces(nets, PieceReason::tabs), in_time_for_tabs_}, nets);
     }
   }
 
@@ -172,12 +186,9 @@ class Unfolding {
   const NetProblem problem_;
 
   Folds folds_;
-  Causes causes_;
-  std::vector<PartNote> part_notes_;
   MirrorImages images_;
-  AllTabs split_;  ///< the last forest
-  std::size_t split_off_to_fold_ = 0;
   bool in_time_for_nets_ = true;
+  bool in_time_for_tabs_ = true;
 };
 
 }  // namespace

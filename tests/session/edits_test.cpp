@@ -262,7 +262,7 @@ TEST_CASE("a join that would overlap names the faces", "[session][slow]") {
 }
 
 TEST_CASE("random edits leave sound nets, and every state comes back", "[session][slow]") {
-  edit_at_random(cube(), 1, 60);
+  edit_at_random(cube(), 1, 120);
   edit_at_random(sample("mug.obj"), 2, 25);
   edit_at_random(sample("torus.off"), 3, 25);
 }

@@ -93,10 +93,17 @@ std::map<CornerId, std::vector<Vec2>> tabs_of(const Project& project, const unfo
   return tabs;
 }
 
-/// A cube in two pieces.
+/// A cube in two pieces: the whole model but for one face, and that face.
 Project two_pieces() {
   const Project start = session::open(cube());
-  return done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
+  for (const Edge& fold : edges_used(start, unfold::EdgeUse::fold)) {
+    Project cut = done(start, {Cut{fold}});
+    if (std::min(faces_of(cut, PieceId(0)), faces_of(cut, PieceId(1))) == 2) {
+      return cut;
+    }
+  }
+  FAIL("no face of the cube hangs on one fold");
+  return start;
 }
 
 }  // namespace

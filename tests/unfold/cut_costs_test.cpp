@@ -12,18 +12,14 @@
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/search/overlap_pairs.hpp"
-#include "unfold/search/rooted_net.hpp"
-#include "unfold/search/tree_search.hpp"
+#include "unfold/search/forest.hpp"
 #include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 using namespace ridgecraft;
-using test::tolerance;
 using unfold::CutCosts;
 using unfold::Folds;
+using unfold::Forest;
 using unfold::Patch;
-using unfold::RootedNet;
-using unfold::TreeSearch;
 
 namespace {
 
@@ -65,11 +61,9 @@ struct CostExample {
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
       candidates.push_back(unfold::tab_candidates(targets.largest[side], patch.length[side], {}));
     }
-    Random random(seed);
-    TreeSearch net(patch, tolerance, seed);
-    net.set_tree(unfold::start_tree(patch, unfold::StartTree::short_cuts, random));
-    REQUIRE(net.run({20000, 20000}, Context()));
-    folds = net.folds();
+    const unfold::NetFound net = test::net_of(patch, unfold::StartTree::short_cuts, seed);
+    REQUIRE(net.overlaps == 0);
+    folds = net.folds;
   }
   /// Every edge is the mirror image of another, at random.
   void pair_edges(std::uint64_t seed) {
@@ -112,8 +106,8 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
     example.pair_edges(seed);
     CutCosts costs = example.costs({});
     CutCosts fresh = example.costs({});
-    RootedNet net(example.patch);
-    net.set_tree(example.folds);
+    Forest net(example.patch);
+    net.set_folds(example.folds);
     costs.set_tree(example.folds);
     costs.weigh_mirror(static_cast<double>(seed));
     fresh.weigh_mirror(static_cast<double>(seed));
@@ -124,20 +118,20 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
       if (example.patch.twin[side] == unfold::nothing || net.folds()[side] != 0) {
         continue;
       }
-      const auto path = net.removable_between(side / 3, example.patch.twin[side] / 3);
+      const auto path = net.folds_between(side / 3, example.patch.twin[side] / 3);
       if (path.empty()) {
         continue;
       }
-      const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
+      const std::uint32_t fold = pick(path, random);
       const double before = costs.total();
-      const double change = costs.change(side, net.side_above(below));
+      const double change = costs.change(side, fold);
       if (random.unit() < 0.5) {
         costs.drop();
         REQUIRE(costs.total() == before);
         continue;
       }
       const double bare = costs.total_without_bare() + change - costs.change_of_bare();
-      net.swap(below, side);
+      net.make({fold, side});
       costs.keep();
       fresh.set_tree(net.folds());
       REQUIRE(costs.total() == Approx(before + change).margin(1e-6));
@@ -227,33 +221,4 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
     CHECK(costs.total() == Approx(lengths.total() + more));
     CHECK(more > 0.0);
   }
-}
-
-TEST_CASE("the overlaps that a swap adds are counted as after the swap") {
-  const CostExample example(4);
-  RootedNet net(example.patch);
-  net.set_tree(example.folds);
-  unfold::OverlapPairs pairs(net, tolerance);
-  pairs.find_all();
-  unfold::OverlapPairs fresh(net, tolerance);
-  Random random(5);
-  int with_overlap = 0;
-  for (int trial = 0; trial < 600; ++trial) {
-    const std::uint32_t side = random.below(static_cast<std::uint32_t>(example.patch.twin.size()));
-    if (net.folds()[side] != 0) {
-      continue;
-    }
-    const auto path = net.removable_between(side / 3, example.patch.twin[side] / 3);
-    const std::uint32_t below = path[random.below(static_cast<std::uint32_t>(path.size()))];
-    const auto before = static_cast<std::int64_t>(pairs.total());
-    const std::int64_t added = pairs.added(below, side, 1'000'000);
-    const std::int64_t limit = added + random.below(3) - 1;
-    CHECK((pairs.added(below, side, limit) < limit) == (added < limit));
-    pairs.swap(below, side);
-    REQUIRE(static_cast<std::int64_t>(pairs.total()) == before + added);
-    fresh.find_all();
-    REQUIRE(fresh.total() == pairs.total());
-    with_overlap += pairs.total() > 0 ? 1 : 0;
-  }
-  CHECK(with_overlap > 100);
 }

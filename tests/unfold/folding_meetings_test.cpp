@@ -17,7 +17,8 @@
 #include "unfold/net/options.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/search/net_search.hpp"
+#include "unfold/search/forest.hpp"
+#include "unfold/search/free_folding.hpp"
 
 using namespace ridgecraft;
 using unfold::FoldMotion;
@@ -25,8 +26,8 @@ using unfold::FoldMotion;
 namespace {
 
 /// The faces that a swap carries.
-std::vector<std::uint32_t> moved_by(const unfold::RootedNet& net, const unfold::Swap& swap) {
-  const unfold::RootedNet::Span span = net.moved_span(swap.below);
+std::vector<std::uint32_t> moved_by(const unfold::Forest& net, const unfold::Move& swap) {
+  const unfold::Forest::Span span = net.carried(swap).faces;
   std::vector<std::uint32_t> faces;
   for (std::uint32_t i = 0; i < span.count; ++i) {
     faces.push_back(net.face_in(span, i));
@@ -34,14 +35,21 @@ std::vector<std::uint32_t> moved_by(const unfold::RootedNet& net, const unfold::
   return faces;
 }
 
+/// A cut, and a fold on the way round it.
+std::optional<unfold::Move> draw_swap(unfold::Forest& net, Random& random) {
+  const std::uint32_t cut = random.below(static_cast<std::uint32_t>(net.folds().size()));
+  const unfold::Patch& patch = net.patch();
+  if (patch.twin[cut] == unfold::nothing || patch.frozen[cut] != 0 || net.folds()[cut] != 0) {
+    return std::nullopt;
+  }
+  const auto& way = net.folds_between(cut / 3, patch.twin[cut] / 3);
+  return way.empty() ? std::nullopt : std::optional(unfold::Move{pick(way, random), cut});
+}
+
 /// A net found with no thought of folding, from a start of long strips; without folds where there is none.
 std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& surface, std::uint64_t seed) {
   unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
-  unfold::NetSearch search;
-  search.start = unfold::StartTree::depth_first;
-  search.tolerance = unfold::net_tolerance(patch.extent);
-  search.iterations = 2000;
-  unfold::NetFound net = unfold::find_net(patch, search, seed, {});
+  unfold::NetFound net = test::net_of(patch, unfold::StartTree::depth_first, seed);
   return {std::move(patch), net.overlaps == 0 ? std::move(net.folds) : unfold::Folds{}};
 }
 
@@ -50,14 +58,14 @@ struct CountedNet {
   explicit CountedNet(const mesh::Surface& surface) : CountedNet(depth_first_net(surface, 3)) {}
 
   unfold::Patch patch;
-  unfold::RootedNet net;
+  unfold::Forest net;
   unfold::FoldingMeetings meetings;
 
  private:
   explicit CountedNet(std::pair<unfold::Patch, unfold::Folds> found)
       : patch(std::move(found.first)), net(patch), meetings(patch) {
     REQUIRE_FALSE(found.second.empty());
-    net.set_tree(found.second);
+    net.set_folds(found.second);
     meetings.count(net.folds());
   }
 };
@@ -126,11 +134,8 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
   for (const mesh::Surface& surface : surfaces) {
     const unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-      unfold::NetSearch search;
-      search.start = unfold::StartTree::depth_first;
-      search.tolerance = unfold::net_tolerance(patch.extent);
-      search.iterations = 2000;
-      const unfold::NetFound net = unfold::find_net(patch, search, seed, {});
+      const double tolerance = unfold::net_tolerance(patch.extent);
+      const unfold::NetFound net = test::net_of(patch, unfold::StartTree::depth_first, seed);
       if (net.overlaps > 0 || unfold::folds_together(patch, net.folds, {})) {
         continue;
       }
@@ -145,14 +150,14 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
           return sum;
         };
         const std::optional<unfold::Folds> changed =
-            unfold::fold_freely(patch, net.folds, {search.tolerance, cost, worth}, seed, {});
+            unfold::fold_freely(patch, net.folds, {tolerance, cost, worth}, seed, {});
         CHECK((!changed || *changed != net.folds));
         CHECK((!changed || *cost(*changed) <= *cost(net.folds) + worth));
         return changed.value_or(net.folds);
       };
       const unfold::Folds other = freed_for(1e9);
       CHECK(unfold::lay_out(patch, other).faces.size() == 1);
-      CHECK(unfold::find_overlaps(unfold::lay_out(patch, other), search.tolerance).empty());
+      CHECK(unfold::find_overlaps(unfold::lay_out(patch, other), tolerance).empty());
       for (std::size_t side = 0; side < other.size(); ++side) {
         CHECK((patch.frozen[side] == 0 || other[side] == net.folds[side]));
       }
@@ -189,8 +194,10 @@ TEST_CASE("what opens backwards folds forwards", "[unfold]") {
       std::set<std::uint32_t> each(opening.opened.begin(), opening.opened.end());
       CHECK(each.size() == motion.creases().size());
       std::vector<std::uint32_t> order(opening.opened.rbegin(), opening.opened.rend());
-      CHECK(trial.order_works(order));
-      CHECK(meetings_in_order(motion, order) == 0);
+      const unfold::Folding folding = unfold::find_order(motion, trial, context);
+      const bool works = trial.order_works(order);
+      CHECK((folding.way != unfold::FoldWay::in_order || (works && folding.order == order)));
+      CHECK((folding.way == unfold::FoldWay::with_care || meetings_in_order(motion, folding.order) == 0));
       const unfold::Opening again = unfold::open_piece(motion, trial, context);
       CHECK(again.opened == opening.opened);
     }
@@ -206,24 +213,22 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
     CountedNet counted(surface);
     auto& [patch, net, meetings] = counted;
     Random random(5);
-    unfold::Branch branch(patch);
     for (int step = 0; step < 80; ++step) {
       auto pairs = meetings.pairs();
       std::sort(pairs.begin(), pairs.end());
       CHECK(pairs == pairs_that_meet(FoldMotion(unfold::flat_piece(patch, net.folds()))));
       most = std::max(most, pairs.size());
-      const std::uint32_t f = random.below(patch.size());
-      const auto swap = unfold::draw_swap_between(f, (f + 1) % patch.size(), net, branch, random);
+      const auto swap = draw_swap(net, random);
       if (!swap) {
         continue;
       }
-      const std::size_t after = meetings.after(moved_by(net, *swap), swap->side, 100000);
+      const std::size_t after = meetings.after(moved_by(net, *swap), swap->closed, 100000);
       for (const std::size_t limit : {std::size_t{1}, after, after + 1}) {
-        CHECK(meetings.after(moved_by(net, *swap), swap->side, limit) == std::min(limit, after));
+        CHECK(meetings.after(moved_by(net, *swap), swap->closed, limit) == std::min(limit, after));
       }
       if (random.below(3) > 0) {
         meetings.keep(net.folds());
-        net.swap(swap->below, swap->side);
+        net.make(*swap);
         CHECK(meetings.total() == after);
       }
     }
@@ -236,14 +241,12 @@ TEST_CASE("meetings stay as they are counted afresh over thousands of swaps", "[
   CountedNet counted_net(surface);
   auto& [patch, net, meetings] = counted_net;
   Random random(11);
-  unfold::Branch branch(patch);
   for (int step = 0; step < 4000; ++step) {
-    const std::uint32_t f = random.below(patch.size());
-    const auto swap = unfold::draw_swap_between(f, random.below(patch.size()), net, branch, random);
+    const auto swap = draw_swap(net, random);
     if (swap) {
-      static_cast<void>(meetings.after(moved_by(net, *swap), swap->side, 1'000'000));
+      static_cast<void>(meetings.after(moved_by(net, *swap), swap->closed, 1'000'000));
       meetings.keep(net.folds());
-      net.swap(swap->below, swap->side);
+      net.make(*swap);
     }
   }
   auto kept = meetings.pairs();

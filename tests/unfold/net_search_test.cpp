@@ -10,10 +10,10 @@
 
 #include "base/geometry.hpp"
 #include "base/random.hpp"
+#include "bench/spiky_bodies.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/search/tree_search.hpp"
 
 using namespace ridgecraft;
 
@@ -38,11 +38,7 @@ mesh::Surface bumpy_ball(std::uint64_t seed) {
 }
 
 unfold::NetFound search(const mesh::Surface& s, std::uint64_t seed) {
-  const unfold::Patch patch = test::whole_patch(s);
-  unfold::NetSearch options;
-  options.tolerance = 1e-7 * patch.extent;
-  options.iterations = unfold::iteration_budget(patch.size());
-  return unfold::find_net(patch, options, seed, {});
+  return test::net_of(test::whole_patch(s), unfold::StartTree::short_cuts, seed);
 }
 
 /// The same shape otherwise put: turned, scaled, renumbered, or mirrored (with its faces turned round).
@@ -108,42 +104,51 @@ TEST_CASE("one seed gives one tree", "[search]") {
   CHECK(search(ball, 9).folds == search(ball, 9).folds);
 }
 
-TEST_CASE("searches that race on several threads end as those that take turns", "[threads][search]") {
-  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
-    const mesh::Surface ball = bumpy_ball(seed);
-    const unfold::Patch patch = test::whole_patch(ball);
-    unfold::NetSearch options;
-    options.tolerance = 1e-7 * patch.extent;
-    options.iterations = 20000;
-    options.starts = 6;
-    options.idle = 3 + 3 * seed;  // so few that the first ones give up
-    Context alone;
-    Context together;
-    together.threads = 4;
-    const unfold::NetFound a = unfold::find_net(patch, options, seed, alone);
-    const unfold::NetFound b = unfold::find_net(patch, options, seed, together);
-    CHECK(a.folds == b.folds);
-    CHECK(a.overlaps == b.overlaps);
-    CHECK(a.iterations == b.iterations);
-    CHECK(a.starts == b.starts);
-  }
-}
-
 TEST_CASE("the search's count is that of a fresh layout after every stretch of moves", "[search]") {
   const mesh::Surface ball = bumpy_ball(6);
   const unfold::Patch patch = test::whole_patch(ball);
   const double tolerance = 1e-7 * patch.extent;
   Random random(2);
-  unfold::TreeSearch search(patch, tolerance, 11);
+  unfold::NetWalk walk(patch, {tolerance}, 11);
   for (const auto kind : {unfold::StartTree::depth_first, unfold::StartTree::breadth_first,
                           unfold::StartTree::short_cuts, unfold::StartTree::flat_folds}) {
-    search.set_tree(unfold::start_tree(patch, kind, random));
-    for (int stretch = 0; stretch < 30 && search.overlaps() > 0; ++stretch) {
-      const unfold::Layout layout = unfold::lay_out(patch, search.folds());
+    walk.set_tree(unfold::start_tree(patch, kind, random));
+    for (int stretch = 0; stretch < 30 && walk.pairs() > 0; ++stretch) {
+      const unfold::Layout layout = unfold::lay_out(patch, walk.folds());
       REQUIRE(layout.faces.size() == 1);
-      REQUIRE(unfold::find_overlaps(layout, tolerance).size() == search.overlaps());
-      search.run({1 + random.below(4)}, {});
+      REQUIRE(unfold::find_overlaps(layout, tolerance).size() == walk.pairs());
+      walk.cool({1.0, 1.0, 1 + random.below(40)}, {});
     }
+    REQUIRE(unfold::find_overlaps(unfold::lay_out(patch, walk.best()), tolerance).size() == walk.least());
+  }
+}
+
+TEST_CASE("spiky bodies become one net with every seed", "[spiky][slow]") {
+  for (const bench::SpikyBody& body : bench::spiky_family()) {
+    for (const std::uint64_t seed : {1U, 2U}) {
+      INFO(body.name << ", seed " << seed);
+      CHECK(search(body.surface, seed).overlaps == 0);
+    }
+  }
+}
+
+TEST_CASE("a search finds what it counts, and the same for one seed", "[spiky]") {
+  const unfold::Patch patch = test::whole_patch(bench::spiky_ball(1, 64, 2.5, 3));
+  Random random(1);
+  const unfold::Folds start = unfold::start_tree(patch, unfold::StartTree::short_cuts, random);
+  const auto brief = [&] { return unfold::find_net(patch, start, {test::tolerance, 2000}, 7, {}); };
+  const unfold::NetFound found = brief();
+  CHECK(found.trials <= 2000);
+  CHECK(unfold::find_overlaps(unfold::lay_out(patch, found.folds), test::tolerance).size() == found.overlaps);
+  CHECK(unfold::lay_out(patch, found.folds).faces.size() == 1);
+  CHECK(brief().folds == found.folds);
+}
+
+TEST_CASE("spiky bodies have the faces that their names tell", "[spiky]") {
+  for (const bench::SpikyBody& body : bench::spiky_family()) {
+    CHECK(body.name.ends_with(" " + std::to_string(body.surface.face_count())));
+    CHECK(body.surface.component_count() == 1);
+    CHECK(2 * body.surface.edge_count() == 3 * body.surface.face_count());  // closed
   }
 }
 

@@ -254,6 +254,13 @@ unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& p
   return unfold::make_patch(surface, panels, faces, {}, labels);
 }
 
+unfold::NetFound net_of(const unfold::Patch& patch, unfold::StartTree kind, std::uint64_t seed) {
+  Random random(seed);
+  return unfold::find_net(patch, unfold::start_tree(patch, kind, random),
+                          {unfold::net_tolerance(patch.extent), unfold::patient_trials(patch.size())}, seed,
+                          {});
+}
+
 std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random) {
   std::vector<std::uint32_t> faces{random.below(patch.size())};
   while (faces.size() < size) {

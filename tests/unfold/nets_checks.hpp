@@ -12,6 +12,8 @@
 #include "prepare/prepared/panels.hpp"
 #include "support/flat_panels.hpp"
 #include "unfold/patch/patch.hpp"
+#include "unfold/patch/tree.hpp"
+#include "unfold/search/net_search.hpp"
 #include "unfold/unfold.hpp"
 
 namespace ridgecraft::test {
@@ -35,6 +37,8 @@ inline const std::vector<std::string> none;
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface);
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels,
                                         std::span<const std::uint32_t> labels = {});
+/// What find_net finds from a start tree of this kind.
+[[nodiscard]] unfold::NetFound net_of(const unfold::Patch& patch, unfold::StartTree kind, std::uint64_t seed);
 /// `size` faces of a patch that grow from one of them at random, in order.
 [[nodiscard]] std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random);
 /// All faces in part 0.

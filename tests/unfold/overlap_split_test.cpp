@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "unfold/pieces/overlap_split.hpp"
+
 #include <algorithm>
 #include <array>
 #include <tuple>
@@ -10,7 +12,6 @@
 #include "unfold/nets_checks.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/pieces/fewest_pieces.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::unfold;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Why pieces are there: what is told must be so.
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <variant>
+#include <vector>
 
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
 #include "bench/spiky_bodies.hpp"
 #include "support/shapes.hpp"
+#include "unfold/edits.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/panel_parts.hpp"
-#include "unfold/pieces/patch_nets.hpp"
 #include "unfold/unfold.hpp"
 
 using namespace ridgecraft;
@@ -50,47 +54,58 @@ Options quick(std::optional<Sheet> sheet, std::size_t max_panels) {
   return options;
 }
 
+/// Some cuts between a piece and others.
+std::vector<EdgeId> longest_cuts(const mesh::Surface& s, const Nets& nets, PieceId piece) {
+  std::vector<EdgeId> cuts;
+  for (const Join& join : nets.joins) {
+    const auto [c, d] = s.sides(join.edge);
+    const PieceId a = nets.piece[mesh::face_of(c)];
+    const PieceId b = nets.piece[mesh::face_of(d)];
+    if (a != b && (a == piece || b == piece)) {
+      cuts.push_back(join.edge);
+    }
+  }
+  std::stable_sort(cuts.begin(), cuts.end(), [&](EdgeId a, EdgeId b) { return s.length(a) > s.length(b); });
+  cuts.resize(std::min<std::size_t>(cuts.size(), 1));
+  return cuts;
+}
+
 }  // namespace
 
-TEST_CASE("without paper no piece is there for the page, and a larger sheet saves those that are",
-          "[reasons][slow]") {
-  std::size_t for_page = 0;
-  std::size_t for_faces = 0;
+TEST_CASE("what is told of a piece stops whoever joins it by hand", "[reasons][slow]") {
+  std::map<PieceReason, int> told;
   for (const mesh::Surface& s : shapes()) {
     const prepare::Panels panels = test::no_panels(s);
     for (const IdVector<FaceId, PartId>& part : {test::one_part(s), slices(s)}) {
-      for (const std::size_t most : {std::size_t{0}, std::size_t{24}}) {
-        const auto nets_on = [&](std::optional<Sheet> sheet) {
-          const Options options = quick(sheet, most);
-          return unfold::unfold(s, panels, part, options, {});
-        };
-        const Nets any = nets_on({});
-        CHECK(count(any, PieceReason::page) == 0);
-        CHECK((most > 0 || count(any, PieceReason::faces) == 0));
-        const Nets small = nets_on(Sheet{150.0, 190.0});
-        const Nets large = nets_on(Sheet{5000.0, 5000.0});
-        CHECK(count(large, PieceReason::page) == 0);
-        INFO(s.face_count() << " faces, at most " << most << ": " << small.pieces.size() << " pieces, "
-                            << large.pieces.size() << " on a large sheet");
-        CHECK(large.pieces.size() + count(small, PieceReason::page) <= small.pieces.size());
-        for_page += count(small, PieceReason::page);
-        for_faces += count(small, PieceReason::faces);
+      for (const std::optional<Sheet>& sheet : {std::optional<Sheet>{}, std::optional(Sheet{150.0, 190.0})}) {
+        const Options options = quick(sheet, 0);
+        const UnfoldProblem problem{s, panels, part, options};
+        const Nets nets = unfold::unfold(s, panels, part, options, {});
+        CHECK((sheet || count(nets, PieceReason::page) == 0));
+        CHECK(count(nets, PieceReason::faces) == 0);
+        for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
+          const PieceReason reason = nets.pieces[p].reason;
+          ++told[reason];
+          for (const EdgeId e : longest_cuts(s, nets, p)) {
+            const ChangedNets joined = join_cut(problem, nets, e, {});
+            const auto* const refusal = std::get_if<Refusal>(&joined);
+            INFO(s.face_count() << " faces, piece " << nets.pieces[p].name);
+            CHECK((reason != PieceReason::overlap || refusal != nullptr));
+            CHECK((reason != PieceReason::no_net || refusal != nullptr));
+          }
+        }
       }
     }
   }
-  CHECK(for_page > 5);
-  CHECK(for_faces > 5);
+  CHECK(told[PieceReason::part] > 10);
+  CHECK(told[PieceReason::page] > 5);
 }
 
-TEST_CASE("the largest piece stands for a patch, then come overlap, faces and the page", "[reasons]") {
-  const mesh::Surface cube = test::cube();
-  const Patch patch = test::whole_patch(cube);
-  const Folds apart(patch.twin.size(), 0);
-  PiecesWithout without{2, 4, PieceReason::no_net};
-  const std::vector<PieceReason> reasons = piece_reasons(patch, apart, without);
-  REQUIRE(reasons.size() == 12);
-  CHECK(std::count(reasons.begin(), reasons.end(), PieceReason::part) == 1);
-  CHECK(std::count(reasons.begin(), reasons.end(), PieceReason::no_net) == 1);
-  CHECK(std::count(reasons.begin(), reasons.end(), PieceReason::faces) == 2);
-  CHECK(std::count(reasons.begin(), reasons.end(), PieceReason::page) == 8);
+TEST_CASE("of a piece that may have so many faces no neighbour has room for more", "[reasons][slow]") {
+  const mesh::Surface s = test::scaled(test::sphere(10, 6), 60.0);
+  const Options options = quick({}, 24);
+  const Nets nets = unfold::unfold(s, test::no_panels(s), test::one_part(s), options, {});
+  REQUIRE(count(nets, PieceReason::part) == 1);
+  CHECK(count(nets, PieceReason::faces) > 0);
+  CHECK(count(nets, PieceReason::page) == 0);
 }

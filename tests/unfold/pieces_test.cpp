@@ -211,13 +211,13 @@ TEST_CASE("a crumb joins its neighbour, in another part too", "[pieces]") {
   part[FaceId(17)] = PartId(1);
   Options options = on_paper(PieceMode::parts);
   options.pieces.max_panels = 0;
-  options.pieces.weights.outline = 0.0;  // else the ball would become two calm pieces
+  options.pieces.weights.pieces = 5000.0;  // else the ball would become two calm pieces
   const Nets nets = unfold::unfold(s, test::no_panels(s), part, options, {});
   CHECK(faults_of(s, nets, options) == none);
   REQUIRE(nets.pieces.size() == 1);
   CHECK(nets.pieces[PieceId(0)].parts.size() == 2);
-  // Without merging it stays.
-  options.pieces.merge = false;
+  // Where each part is to be by itself it stays.
+  options.pieces = unfold::rules_of_single_parts();
   CHECK(unfold::unfold(s, test::no_panels(s), part, options, {}).pieces.size() == 2);
 }
 

@@ -180,8 +180,8 @@ TEST_CASE("each weight changes the nets, and what weighs more is less", "[energy
     double heavy = 0.0;
     double most_different = 0.0;
     for (const Model& model : models()) {
-      const Nets little = nets_of(model, term, 0.1);
-      const Nets much = nets_of(model, term, 10.0);
+      const Nets little = nets_of(model, term, 0.05);
+      const Nets much = nets_of(model, term, 20.0);
       light += measure(model, little, term);
       heavy += measure(model, much, term);
       most_different = std::max(most_different, difference(model, little, much));

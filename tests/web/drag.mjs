@@ -151,7 +151,11 @@ async function byMouse() {
   check((await lines("preview")).some((line) => line.startsWith("place ")), "no room is asked for while a piece is dragged");
 
   // Without room it is red, goes back, and why is said in German.
-  const refused = await drag(-700, 0, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
+  const beyond = await page.evaluate((index) => {
+    const first = Math.min(...[...document.querySelectorAll(".page .sheet")].map((sheet) => sheet.getBoundingClientRect().left));
+    return document.querySelector(`[data-piece="${index}"]`).getBoundingClientRect().right - first;
+  }, largest);
+  const refused = await drag(-beyond - 20, 80, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
   check(/^Teil A läge außerhalb/.test(refused.error), `a refusal says "${refused.error}"`);
   check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
 

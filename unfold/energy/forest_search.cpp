@@ -28,9 +28,8 @@ constexpr double better_by = 1e-6;
 constexpr double last_heat = 0.5;
 constexpr double exact_first_heat = 1.0;
 constexpr double exact_last_heat = 0.3;
-/// Price of an overlap, mm, at first and at last, and how many times a piece's at least: it must be more than
-/// it costs to cut any piece.
-constexpr double first_overlap_price = 20.0;
+/// Price of an overlap at last, mm, and how many times a piece's at least: it must be more than it costs to
+/// cut any piece.
 constexpr double least_last_overlap_price = 20'000.0;
 constexpr double pieces_for_overlap = 4.0;
 /// Price of two faces that meet while a piece is folded, mm, at first and at last.
@@ -92,11 +91,6 @@ class EdgeSet {
 std::int64_t limit_of(double may_cost, double price) {
   constexpr double most = 1e9;
   return static_cast<std::int64_t>(std::floor(std::clamp(may_cost / price, -most, most))) + 1;
-}
-
-template <class T>
-const T& drawn(const std::vector<T>& from, Random& random) {
-  return from[random.below(static_cast<std::uint32_t>(from.size()))];
 }
 
 CutFacts facts_of(const ForestProblem& problem, const TabState* tabs) {
@@ -207,7 +201,7 @@ class Search {
     };
     for (std::uint64_t step = 0; rules_.quick_trials > 0 && spent() < 1.0 && !look_at_clock(step); ++step) {
       heat_ = between(rules_.first_heat, last_heat, spent());
-      overlap_price_ = between(first_overlap_price, last_overlap_price_, spent());
+      overlap_price_ = between(rules_.first_overlap_price, last_overlap_price_, spent());
       meeting_price_ = between(first_meeting_price, last_meeting_price, spent());
       if (make_step(trial) && remember(energy_.total()) && rules_.until_it_fits) {
         break;
@@ -328,10 +322,10 @@ class Search {
   /// Between two faces that overlap where there are any, else anywhere.
   std::optional<Move> draw_split() {
     if (overlaps_.total() > 0) {
-      const std::uint32_t f = drawn(overlaps_.bad_faces(), random_);
-      const std::vector<std::uint32_t>& way = forest_.folds_between(f, drawn(overlaps_.met_by(f), random_));
+      const std::uint32_t f = pick(overlaps_.bad_faces(), random_);
+      const std::vector<std::uint32_t>& way = forest_.folds_between(f, pick(overlaps_.met_by(f), random_));
       if (!way.empty()) {
-        return Move{drawn(way, random_), nothing};
+        return Move{pick(way, random_), nothing};
       }
     }
     return folds_.empty() ? std::nullopt : std::optional(Move{folds_.draw(random_), nothing});
@@ -349,10 +343,10 @@ class Search {
       if (random_.below(2) == 0) {
         std::swap(from, to);
       }
-      to = drawn(forest_.faces_of(forest_.tree_of(from)), random_);
+      to = pick(forest_.faces_of(forest_.tree_of(from)), random_);
     }
     const std::vector<std::uint32_t>& way = forest_.folds_between(from, to);
-    return way.empty() ? std::nullopt : std::optional(Move{drawn(way, random_), cut});
+    return way.empty() ? std::nullopt : std::optional(Move{pick(way, random_), cut});
   }
 
   bool propose(const Move& move) {

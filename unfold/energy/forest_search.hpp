@@ -39,6 +39,8 @@ struct SearchRules {
   std::uint64_t exact_trials = 0;
   /// A move that costs d, mm, is made with probability exp(-d / heat): heat at the beginning.
   double first_heat = 20.0;
+  /// Price of an overlap at the beginning, mm: how freely pieces are joined whose net is repaired later.
+  double first_overlap_price = 20.0;
   /// Whether pieces may be joined and split. Otherwise their number stays.
   bool pieces_change = true;
   /// Whether each piece must fold up with all creases together: only for a forest of one tree.

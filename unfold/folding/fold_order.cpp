@@ -357,8 +357,12 @@ Folding find_order(const FoldMotion& motion, FoldTrial& trial, const Context& co
   } else {
     const Opening opening = open_piece(motion, trial, context);
     if (opening.opened.size() == creases.size()) {
-      result.way = FoldWay::in_order;
-      result.order.assign(opening.opened.rbegin(), opening.opened.rend());
+      std::vector<std::uint32_t> backwards(opening.opened.rbegin(), opening.opened.rend());
+      // Where faces graze each other opening and folding may round differently.
+      if (trial.order_works(backwards)) {
+        result.way = FoldWay::in_order;
+        result.order = std::move(backwards);
+      }
     }
     result.in_the_way = opening.in_the_way;
   }

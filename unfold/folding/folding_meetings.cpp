@@ -5,18 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "base/elementary.hpp"
-#include "base/random.hpp"
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/fold_order.hpp"
-#include "unfold/patch/layout.hpp"
-#include "unfold/search/overlap_pairs.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -282,177 +276,6 @@ void FoldingMeetings::place_beyond(std::uint32_t fold) {
     frame_[g][t] = frame_[f][t] * hinge_[fold][t];
   }
   open_.push_back(fold);
-}
-
-namespace {
-
-/// Swaps that are drawn on one walk: most that arrive do so within a hundred.
-constexpr std::size_t draws_per_walk = 1500;
-/// Draws of all walks times the faces of the piece, since one takes longer the larger the piece is, and at
-/// most: about 0.02 s.
-constexpr std::size_t draws_times_faces = 200'000;
-constexpr std::size_t most_draws = 6000;
-/// Walks that arrive, and how many of the trees that they come to, those with the shortest cuts, are looked
-/// at closely: that takes longer than the walk.
-constexpr std::size_t most_arrivals = 16;
-constexpr std::size_t looked_at = 4;
-/// Larger pieces aren't tried: too many of their faces meet.
-constexpr std::size_t most_faces = 1000;
-/// Nor are such with more pairs that meet for each face: of those that walks freed none had half of it.
-constexpr std::size_t most_meetings_per_face = 1;
-/// A swap that costs d more is made with probability exp(-d / heat).
-constexpr double heat = 0.35;
-/// What a pair that meets on the way or overlaps is worth, in mm of cut.
-constexpr double pair_mm = 60.0;
-/// Draws between two looks at the clock.
-constexpr std::size_t draws_per_look = 64;
-
-/// Walks from tree to tree until there is neither meeting nor overlap; both are counted alike.
-class FreeFolding {
- public:
-  FreeFolding(const Patch& piece, const Folds& tree, double tolerance, std::uint64_t seed,
-              const Context& context)
-      : piece_(piece),
-        tree_(tree),
-        context_(context),
-        random_(seed),
-        branch_(piece),
-        net_(piece),
-        overlaps_(net_, tolerance),
-        meetings_(piece) {}
-
-  /// Whether so few faces of the given tree meet that a walk may arrive.
-  [[nodiscard]] bool may_arrive() {
-    net_.set_tree(tree_);
-    meetings_.count(net_.folds());
-    return meetings_.total() <= most_meetings_per_face * piece_.size();
-  }
-
-  /// Goes from the given tree to one without any; false where the draws are spent before, or the time.
-  bool walk(std::size_t draws) {
-    net_.set_tree(tree_);
-    overlaps_.find_all();
-    meetings_.count(net_.folds());
-    longer_mm_ = 0.0;
-    for (drawn_ = 0; drawn_ < draws && !done(); ++drawn_) {
-      if (drawn_ % draws_per_look == 0) {
-        context_.check();
-        if (context_.out_of_time()) {
-          break;
-        }
-      }
-      step();
-    }
-    return done();
-  }
-
-  [[nodiscard]] const Folds& folds() const { return net_.folds(); }
-  /// Of the last walk: swaps drawn, and by how much it made the cuts longer.
-  [[nodiscard]] std::size_t drawn() const { return drawn_; }
-  [[nodiscard]] double longer_mm() const { return longer_mm_; }
-
- private:
-  [[nodiscard]] bool done() const { return meetings_.total() + overlaps_.total() == 0; }
-
-  std::pair<std::uint32_t, std::uint32_t> draw_pair() {
-    const std::uint32_t overlaps = static_cast<std::uint32_t>(overlaps_.total());
-    const std::uint32_t meetings = static_cast<std::uint32_t>(meetings_.total());
-    if (random_.below(overlaps + meetings) < meetings) {
-      return draw(meetings_.pairs(), random_);
-    }
-    const std::uint32_t f = draw(overlaps_.bad_faces(), random_);
-    return {f, draw(overlaps_.met_by(f), random_)};
-  }
-
-  void step() {
-    const auto [f, g] = draw_pair();
-    const std::optional<Swap> swap = draw_swap_between(f, g, net_, branch_, random_);
-    if (!swap) {
-      return;
-    }
-    const double longer = piece_.length[net_.side_above(swap->below)] - piece_.length[swap->side];
-    const double may_cost = -heat * elementary::log(1.0 - random_.unit()) - longer / pair_mm;
-    const auto met = static_cast<std::int64_t>(meetings_.total());
-    // So many pairs may be left; overlaps are counted first, since that is quicker.
-    const auto most = met + static_cast<std::int64_t>(std::floor(may_cost));
-    const std::int64_t left = most - overlaps_.added(swap->below, swap->side, most + 1);
-    if (left < 0) {
-      return;
-    }
-    const std::size_t limit = static_cast<std::size_t>(left) + 1;
-    const RootedNet::Span half = net_.moved_span(swap->below);
-    moved_.clear();
-    for (std::uint32_t i = 0; i < half.count; ++i) {
-      moved_.push_back(net_.face_in(half, i));
-    }
-    if (meetings_.after(moved_, swap->side, limit) < limit) {
-      overlaps_.swap(swap->below, swap->side);
-      meetings_.keep(net_.folds());
-      longer_mm_ += longer;
-    }
-  }
-
-  const Patch& piece_;
-  const Folds& tree_;
-  const Context& context_;
-  Random random_;
-  Branch branch_;
-  RootedNet net_;
-  OverlapPairs overlaps_;
-  FoldingMeetings meetings_;
-  std::vector<std::uint32_t> moved_;  ///< space to work in
-  std::size_t drawn_ = 0;
-  double longer_mm_ = 0.0;
-};
-
-/// Trees that fold together, the one with the shortest cuts first.
-std::vector<Folds> trees_that_fold(const Patch& piece, const Folds& given, double tolerance,
-                                   std::uint64_t seed, const Context& context) {
-  FreeFolding search(piece, given, tolerance, seed, context);
-  std::vector<std::pair<double, Folds>> found;
-  std::size_t draws = search.may_arrive() ? std::min(most_draws, draws_times_faces / piece.size()) : 0;
-  while (draws > 0 && found.size() < most_arrivals && !context.out_of_time()) {
-    if (search.walk(std::min(draws, draws_per_walk))) {
-      found.emplace_back(search.longer_mm(), search.folds());
-    }
-    draws -= std::min(draws, search.drawn());
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Folds> trees;
-  for (auto& [longer, tree] : found) {
-    if (std::find(trees.begin(), trees.end(), tree) == trees.end()) {
-      trees.push_back(std::move(tree));
-    }
-  }
-  return trees;
-}
-
-}  // namespace
-
-bool folds_together(const Patch& piece, const Folds& tree, const Context& context) {
-  const FoldMotion motion(flat_piece(piece, tree));
-  return FoldTrial(motion, context).together_works();
-}
-
-std::optional<Folds> fold_freely(const Patch& piece, const Folds& given, const FreeFoldingRules& rules,
-                                 std::uint64_t seed, const Context& context) {
-  if (piece.size() > most_faces || folds_together(piece, given, context)) {
-    return std::nullopt;
-  }
-  std::vector<Folds> trees = trees_that_fold(piece, given, rules.tolerance, seed, context);
-  trees.resize(std::min(trees.size(), looked_at));
-  double least = rules.cost(given).value_or(std::numeric_limits<double>::infinity()) + rules.worth;
-  std::optional<Folds> best;
-  for (Folds& tree : trees) {
-    const std::optional<double> costs = rules.cost(tree);
-    if (costs && *costs <= least && find_overlaps(lay_out(piece, tree), rules.tolerance).empty() &&
-        folds_together(piece, tree, context)) {
-      least = *costs;
-      best = std::move(tree);
-    }
-  }
-  return best;
 }
 
 }  // namespace ridgecraft::unfold

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pairs of faces that meet while a net is folded with all creases together, kept up to date while its
-// tree changes: what overlap is for a net that lies flat (search/overlap_pairs.hpp).
+// tree changes: what overlap is for a net that lies flat (search/forest_overlaps.hpp).
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,9 +14,6 @@
 #include "unfold/folding/fold_motion.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/search/overlap_pairs.hpp"
-#include "unfold/search/rooted_net.hpp"
-#include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -89,26 +84,5 @@ class FoldingMeetings {
   std::uint32_t new_fold_ = nothing;  ///< the side, in what stays, of the fold that it makes
   std::vector<std::uint32_t> open_;   ///< space to work in
 };
-
-// A piece that runs through itself while it is folded gets another tree, if there is one near that doesn't.
-
-/// Whether the net of this tree folds up with all creases together without running through itself.
-[[nodiscard]] bool folds_together(const Patch& piece, const Folds& tree, const Context& context);
-
-/// What a tree must be to take the place of one that doesn't fold together.
-struct FreeFoldingRules {
-  double tolerance = 0.0;  ///< of overlap, mm
-  /// What a tree costs, in any unit; nothing where it isn't allowed, as where it doesn't fit the sheet.
-  std::function<std::optional<double>(const Folds&)> cost;
-  double worth = 0.0;  ///< what it may cost more than the given one, in that unit
-};
-
-/// For a tree that doesn't fold up with all creases together one that does, if one is found that is worth it:
-/// of several the cheapest of those with the shortest cuts. They are found by walks from the given tree, on
-/// which folds between faces that meet on the way (or overlap) are exchanged. About 0.02 s for a piece of 50
-/// faces that doesn't fold together. Deterministic for one seed except for the deadline.
-[[nodiscard]] std::optional<Folds> fold_freely(const Patch& piece, const Folds& given,
-                                               const FreeFoldingRules& rules, std::uint64_t seed,
-                                               const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -58,6 +58,7 @@ struct Piece {
   std::string name;           ///< as printed, unique: A, B, ... Z, AA, ...
   std::vector<FaceId> faces;  ///< ascending
   std::vector<PartId> parts;  ///< parts that it has faces of, ascending
+  PartId main_part = {};      ///< that most of its area belongs to
   std::uint32_t holes = 0;    ///< holes of the patch its faces make
   PieceReason reason = PieceReason::part;
   FoldOrder folding = {};

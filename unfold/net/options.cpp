@@ -24,12 +24,14 @@ constexpr std::array terms{Term{"seam", &Weights::seam},       Term{"bare", &Wei
 PieceRules rules_of(PieceMode mode) {
   PieceRules rules;
   rules.mode = mode;
-  rules.merge = true;
   switch (mode) {
     case PieceMode::few:
       rules.weights.pieces = 10000.0;
       rules.weights.parts = 0.0;
       rules.weights.panels = 0.0;
+      // With a price of 20 a piece is worth so many overlaps that the search forgets where it began.
+      rules.first_overlap_price = 2500.0;
+      rules.trials_per_face = 2000.0;
       break;
     case PieceMode::parts:
       rules.max_panels = 80;
@@ -40,6 +42,15 @@ PieceRules rules_of(PieceMode mode) {
       rules.weights.small = 800.0;
       break;
   }
+  return rules;
+}
+
+PieceRules rules_of_single_parts() {
+  PieceRules rules = rules_of(PieceMode::few);
+  // However large the model is, nothing is worth a piece, nor a piece of two parts.
+  rules.weights.pieces = 1e9;
+  rules.weights.parts = 1e12;
+  rules.first_overlap_price = 0.25 * rules.weights.pieces;
   return rules;
 }
 

@@ -84,11 +84,14 @@ struct PieceRules {
   /// How long nets of less energy are searched for: moves that are tried for each face, fewer where there are
   /// many (energy/forest_search.hpp); 0: none.
   double trials_per_face = 1000.0;
-  bool merge = false;  ///< join and split pieces, of several parts too, where that costs less
+  /// What an overlap costs at the beginning of that search, mm; it rises until none pays.
+  double first_overlap_price = 20.0;
   /// Must every piece fold up with all creases together (folding/fold_order.hpp)? Those that don't are split.
   bool fold_linear = false;
 };
 [[nodiscard]] PieceRules rules_of(PieceMode mode);
+/// Each part by itself, in as few pieces as overlap and paper allow.
+[[nodiscard]] PieceRules rules_of_single_parts();
 
 /// A term's weight by its name (all: term_names()); null where
 /// there is no such term.
@@ -192,7 +195,7 @@ struct Options {
   std::optional<Sheet> sheet;  ///< none: a piece may be as large as it likes
   TabOptions tabs;
   PanelCuts panel_cuts = PanelCuts::only_if_too_large;
-  PieceRules pieces;
+  PieceRules pieces = rules_of_single_parts();
   /// Per edge of the surface, or empty. Cuts are always made but inside flat regions; what is to be kept is a
   /// fold unless that would close a loop, overlap or fit no sheet (kept_edges.hpp); a note counts what
   /// couldn't be.

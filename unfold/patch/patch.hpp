@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/geometry.hpp"
@@ -181,6 +182,9 @@ struct Patch {
 /// forest.
 using Folds = std::vector<std::uint8_t>;
 
+/// Pairs of faces.
+using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// Paper that these faces take, mm2.
 [[nodiscard]] double area_of(const Patch& patch, std::span<const std::uint32_t> faces);
 
@@ -201,20 +205,5 @@ using Folds = std::vector<std::uint8_t>;
 
 /// Replaces the folds between these faces by those of the sub-patch; folds to other faces stay.
 void put_back(const Patch& patch, std::span<const std::uint32_t> faces, const Folds& sub, Folds& folds);
-
-// Several pieces searched as one tree: they hang together by links, over which they lie far from each other.
-
-/// More links would lay pieces too far off for the search to be quick.
-inline constexpr std::size_t most_links = 16;
-
-/// The patch with links as folds that stay: sides, one of each, where a forest's pieces meet, as many as make
-/// one tree of it, at most most_links. A swap of a cut and a fold changes a piece or hands a branch of one to
-/// another, their number stays. Over each link the other face is laid twice as far away as over the one
-/// before. Pieces that meet all the same only keep out of each other's way for no reason. O(n).
-[[nodiscard]] Patch linked_patch(const Patch& patch, std::span<const std::uint32_t> links);
-
-/// Sides at which trees meet, one of each, long ones first. `piece`: the tree of each face. O(n log n).
-[[nodiscard]] std::vector<std::uint32_t> borders_of_trees(const Patch& patch,
-                                                          std::span<const std::uint32_t> piece);
 
 }  // namespace ridgecraft::unfold

@@ -62,7 +62,7 @@ Folds searched(const NetProblem& problem, const Folds& folds, const Faces& faces
   const ForestProblem own{problem.surface, problem.panels,    patch, part, problem.options.tabs,
                           problem.room,    problem.weights(), mirror};
   SearchRules rules = rules_for(problem.options.pieces.trials_per_face, patch.size());
-  rules.pieces_change = problem.options.pieces.merge;
+  rules.first_overlap_price = problem.options.pieces.first_overlap_price;
   return search_forest(own, sub_folds(problem.patch, folds, faces), rules, context.seed, context);
 }
 
@@ -82,7 +82,7 @@ Folds best_pieces(const NetProblem& problem, const Folds& folds, const IdVector<
                                      : searched(problem, folds, bodies[i], mirrored, seeded);
       },
       [&](std::size_t done) {
-        context.report("unfold", 0.7 + 0.1 * static_cast<double>(done) / static_cast<double>(bodies.size()));
+        context.report("unfold", 0.3 + 0.5 * static_cast<double>(done) / static_cast<double>(bodies.size()));
       });
   Folds result = folds;
   for (std::size_t i = 0; i < bodies.size(); ++i) {

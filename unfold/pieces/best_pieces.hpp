@@ -9,9 +9,8 @@
 namespace ridgecraft::unfold {
 
 /// The best forest that the search (energy/forest_search.hpp) comes to from `folds`, whose trees must be
-/// allowed: each body by itself, bodies that are mirror images of each other together. Unless
-/// PieceRules::merge says so pieces are neither joined nor split. `mirrored`: of each edge, or empty.
-/// Independent of the number of threads. Throws Error(interrupted).
+/// allowed: each body by itself, bodies that are mirror images of each other together. `mirrored`:
+/// of each edge, or empty. Independent of the number of threads. Throws Error(interrupted).
 [[nodiscard]] Folds best_pieces(const NetProblem& problem, const Folds& folds,
                                 const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
 

@@ -10,11 +10,11 @@
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "unfold/energy/forest_search.hpp"
-#include "unfold/folding/folding_meetings.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/mirror_images.hpp"
+#include "unfold/search/free_folding.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

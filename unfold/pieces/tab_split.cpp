@@ -2,10 +2,8 @@
 #include "unfold/pieces/tab_split.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -13,13 +11,11 @@
 #include "base/elementary.hpp"
 #include "base/parallel.hpp"
 #include "base/random.hpp"
-#include "unfold/energy/forest_search.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/piece_borders.hpp"
-#include "unfold/search/net_search.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 
@@ -244,13 +240,6 @@ namespace {
 
 /// Cuts between two pieces that are tried as a fold, the longest first.
 constexpr std::size_t cuts_tried = 8;
-/// Of each search for tabs, for each face.
-constexpr double tab_trials_per_face = 1000.0;
-/// Of all searches together, for each face of the surface.
-constexpr double trials_in_all = 5000.0;
-/// A tab more is worth nearly any shape here: weight of bare seam.
-constexpr double worth_of_any_tab = 20.0;
-
 using Faces = std::vector<std::uint32_t>;
 
 /// What cutting and uniting have to know and to keep.
@@ -259,16 +248,7 @@ struct SplitRules {
   const TabGaps& tab_gaps;
   const NetsOf& nets_of;
   std::span<const std::uint32_t> origin;  ///< per face: only pieces of one origin are united
-  bool search = false;                    ///< unfold two pieces again, too, where no cut between them will do
 };
-
-/// How it is tried to make one piece less, cheap ways first.
-enum class Way : std::uint8_t {
-  join,    ///< two pieces become one as they are
-  unfold,  ///< two pieces are unfolded afresh as one
-  share,   ///< three pieces are unfolded afresh as two
-};
-constexpr std::array ways{Way::join, Way::unfold, Way::share};
 
 /// Pieces of the forest as a patch of their own.
 struct Pieces {
@@ -279,76 +259,40 @@ struct Pieces {
 
 class Uniter {
  public:
-  Uniter(const SplitRules& rules, const Folds& folds, std::size_t missing, std::uint64_t seed,
-         const Context& context)
-      : rules_(rules),
-        random_(seed),
-        context_(context),
-        best_{folds, missing},
-        trials_left_(trials_in_all * rules.problem.patch.size()) {}
+  Uniter(const SplitRules& rules, TabSplit split, const Context& context)
+      : rules_(rules), context_(context), best_(std::move(split)) {}
 
   TabSplit run() {
-    const std::size_t count = rules_.search ? ways.size() : 1;
-    for (std::size_t i = 0; i < count && !context_.out_of_time();) {
-      i = unite_any(ways[i]) ? 0 : i + 1;
+    while (!context_.out_of_time() && unite_any()) {
     }
     return std::move(best_);
   }
 
  private:
-  bool unite_any(Way way) {
+  bool unite_any() {
     const Layout layout = lay_out(rules_.problem.patch, best_.folds);
     std::vector<PieceBorder> borders = piece_borders(rules_.problem.patch, layout.piece);
     std::erase_if(borders, [&](const PieceBorder& border) {
       const auto origin = [&](std::uint32_t piece) { return rules_.origin[layout.faces[piece].front()]; };
       return origin(border.a) != origin(border.b);
     });
-    for (const PieceBorder& border : borders) {
-      if (way != Way::share) {
-        if (unite(layout, {border.a, border.b}, way)) {
-          return true;
-        }
-        continue;
-      }
-      for (const PieceBorder& beside : borders) {
-        const std::uint32_t third = beside.a == border.a || beside.a == border.b ? beside.b : beside.a;
-        const bool touches = third == beside.b || beside.b == border.a || beside.b == border.b;
-        if (touches && third != border.a && third != border.b &&
-            unite(layout, {border.a, border.b, third}, way)) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return std::any_of(borders.begin(), borders.end(), [&](const PieceBorder& border) {
+      return unite(layout.faces[border.a], layout.faces[border.b]);
+    });
   }
 
-  /// Makes one piece less of these, if that costs no tab.
-  bool unite(const Layout& layout, const std::vector<std::uint32_t>& pieces, Way way) {
+  /// Makes one piece of two, if that costs no tab.
+  bool unite(const Faces& one, const Faces& other) {
     context_.check();
     Pieces given;
-    for (const std::uint32_t piece : pieces) {
-      const Faces& more = layout.faces[piece];
-      given.faces.insert(given.faces.end(), more.begin(), more.end());
-    }
+    given.faces = one;
+    given.faces.insert(given.faces.end(), other.begin(), other.end());
     std::sort(given.faces.begin(), given.faces.end());
-    if (context_.out_of_time() || trials_left_ <= 0.0 || !tried_.emplace(way, given.faces).second) {
+    if (context_.out_of_time() || !tried_.insert(given.faces).second) {
       return false;
     }
     given.patch = sub_patch(rules_.problem.patch, given.faces);
     given.folds = sub_folds(rules_.problem.patch, best_.folds, given.faces);
-    if (way == Way::join) {
-      return join(given);
-    }
-    std::optional<Folds> start = joined(given);
-    if (!start && way == Way::unfold) {
-      OnePieceSearch search;
-      search.tolerance = rules_.problem.tolerance();
-      start = find_one_piece(given.patch, rules_.problem.room, search, random_.next(), context_).tree;
-    }
-    return start && search(given, *start);
-  }
-
-  bool join(const Pieces& given) {
     for (const std::uint32_t side : cuts_between(given.patch, given.folds)) {
       Folds folds = given.folds;
       set_fold(given.patch, folds, side, true);
@@ -357,18 +301,6 @@ class Uniter {
       }
     }
     return false;
-  }
-
-  /// One cut between two pieces folded, so that they make a clean one; tabs may be lost.
-  [[nodiscard]] std::optional<Folds> joined(const Pieces& given) {
-    for (const std::uint32_t side : cuts_between(given.patch, given.folds)) {
-      Folds folds = given.folds;
-      set_fold(given.patch, folds, side, true);
-      if (is_good(given.patch, folds)) {
-        return folds;
-      }
-    }
-    return {};
   }
 
   /// Cuts from one piece to another, the longest first.
@@ -390,20 +322,6 @@ class Uniter {
   [[nodiscard]] bool is_good(const Patch& patch, const Folds& folds) const {
     return all_fit(patch, folds, rules_.problem.room) &&
            find_overlaps(lay_out(patch, folds), rules_.problem.tolerance()).empty();
-  }
-
-  /// Searches for tabs from a clean forest of one piece or two.
-  bool search(const Pieces& given, const Folds& start) {
-    SearchRules rules = rules_for(tab_trials_per_face, given.patch.size());
-    rules.pieces_change = false;
-    trials_left_ -= static_cast<double>(rules.quick_trials);
-    Weights weights;
-    weights.bare = worth_of_any_tab;
-    const NetProblem& whole = rules_.problem;
-    const ForestProblem own{whole.surface,      whole.panels, given.patch, {},
-                            whole.options.tabs, whole.room,   weights};
-    const Folds found = search_forest(own, start, rules, random_.next(), context_);
-    return is_good(given.patch, found) && take(given, found);
   }
 
   [[nodiscard]] EdgeId edge_of(const Pieces& given, std::uint32_t side) const {
@@ -455,19 +373,10 @@ class Uniter {
   }
 
   const SplitRules& rules_;
-  Random random_;
   const Context& context_;
   TabSplit best_;
-  double trials_left_;
-  std::set<std::pair<Way, Faces>> tried_;
+  std::set<Faces> tried_;
 };
-
-/// Unites neighbouring pieces, the smallest first, wherever the nets then lack no more usable tabs than
-/// before, until no two can be. Deterministic for one seed but for the deadline.
-TabSplit unite_with_tabs(const SplitRules& rules, const TabSplit& split, std::uint64_t seed,
-                         const Context& context) {
-  return Uniter(rules, split.folds, split.missing, seed, context).run();
-}
 
 /// Ways to split that are tried: the first by the order of worth, the others with blurred orders.
 constexpr std::size_t attempts = 4;
@@ -505,7 +414,7 @@ TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const Net
   const Patch& patch = problem.patch;
   const TabGaps tab_gaps({problem.surface, problem.panels, problem.options.tabs}, patch, folds, context);
   const Layout before = lay_out(patch, folds);
-  SplitRules rules{problem, tab_gaps, nets_of, before.piece, false};
+  const SplitRules rules{problem, tab_gaps, nets_of, before.piece};
   // What there is no time to try is worse than anything.
   std::vector<TabSplit> tried(attempts, {folds, std::numeric_limits<std::size_t>::max()});
   do_in_parallel(attempts, context, [&](std::size_t i, const Context& own) {
@@ -515,7 +424,7 @@ TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const Net
     Random random = Random::stream(context.seed, i);
     const double blur = i == 0 ? 0.0 : blur_of_order;
     const TabSplit cut = cut_for_tabs(rules, folds, blur, random, own);
-    tried[i] = unite_with_tabs(rules, cut, random.next(), own);
+    tried[i] = Uniter(rules, cut, own).run();
   });
   std::size_t best = 0;
   for (std::size_t i = 1; i < attempts; ++i) {
@@ -525,8 +434,7 @@ TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const Net
       best = i;
     }
   }
-  rules.search = true;
-  return unite_with_tabs(rules, tried[best], context.seed, context);
+  return std::move(tried[best]);
 }
 
 }  // namespace ridgecraft::unfold

@@ -47,10 +47,10 @@ struct ForestWithGaps {
 [[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, double blur,
                                                          Random& random, const Context& context);
 
-/// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and unites what
-/// was cut again where all keep theirs, folded otherwise if need be. Each round cuts the folds that lie
+/// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and joins
+/// again what was cut where all keep theirs. Each round cuts the folds that lie
 /// between the most tabs and what stands in their way (greedy set cover over tree paths, as in
-/// fewest_pieces.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
+/// overlap_split.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
 /// the room. Every tab that is counted was placed by place_tabs. Deterministic for one seed but for the
 /// deadline, at which it returns what it has.
 [[nodiscard]] TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,

@@ -14,9 +14,6 @@
 
 namespace ridgecraft::unfold {
 
-/// Pairs of faces.
-using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
 /// A set of pairs, by their faces.
 class FacePairSet {
  public:

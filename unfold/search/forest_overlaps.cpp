@@ -11,6 +11,7 @@ ForestOverlaps::ForestOverlaps(const Forest& forest, double tolerance)
 
 void ForestOverlaps::find_all() {
   pairs_.clear();
+  counted_ = {};
   for (std::uint32_t f = 0; f < forest_.face_count(); ++f) {
     forest_.visit_near(forest_.tree_of(f), forest_.circle(f).centre, forest_.circle(f).radius,
                        [&](std::uint32_t g) {
@@ -22,18 +23,23 @@ void ForestOverlaps::find_all() {
 }
 
 std::uint32_t ForestOverlaps::count_new(const Move& move, std::uint32_t limit) {
+  counted_ = {};
   if (move.splits()) {
     carried_.found().clear();
     return 0;
   }
   const Forest::Carried what = forest_.carried(move);
   const std::uint32_t from = what.faces.tree;
-  return carried_.count({{forest_.faces_of(from), &forest_.circles_of(from)},
-                         what.faces.first,
-                         what.faces.count,
-                         {forest_.faces_of(what.to), &forest_.circles_of(what.to)},
-                         what.motion},
-                        limit);
+  const std::uint32_t count = carried_.count({{forest_.faces_of(from), &forest_.circles_of(from)},
+                                              what.faces.first,
+                                              what.faces.count,
+                                              {forest_.faces_of(what.to), &forest_.circles_of(what.to)},
+                                              what.motion},
+                                             limit);
+  if (count < limit) {
+    counted_ = move;
+  }
+  return count;
 }
 
 std::int64_t ForestOverlaps::added(const Move& move, std::int64_t limit) {
@@ -48,7 +54,10 @@ std::int64_t ForestOverlaps::added(const Move& move, std::int64_t limit) {
 }
 
 void ForestOverlaps::make(const Move& move) {
-  count_new(move, nothing);
+  if (move.splits() || !(move == counted_)) {
+    count_new(move, nothing);
+  }
+  counted_ = {};
   if (!move.joins()) {
     pairs_.drop_across(forest_, forest_.carried(move).faces);
   }

@@ -40,6 +40,7 @@ class ForestOverlaps {
   double tolerance_;
   FacePairSet pairs_;
   CarriedOverlaps carried_;
+  Move counted_;  ///< the last move all of whose new pairs were found, in the forest as it is
 };
 
 }  // namespace ridgecraft::unfold

@@ -10,7 +10,7 @@
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/search/circle_tree.hpp"
-#include "unfold/search/net_search.hpp"
+#include "unfold/search/plates.hpp"
 
 namespace ridgecraft::unfold {
 namespace {

@@ -2,287 +2,193 @@
 #include "unfold/search/net_search.hpp"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
-#include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
+#include <cmath>
 
-#include "base/disjoint_sets.hpp"
-#include "base/parallel.hpp"
-#include "base/random.hpp"
+#include "base/elementary.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/tree.hpp"
-#include "unfold/search/tree_search.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// The panel of one of its faces; `taken` has a flag for each face.
-Plate plate_at(const Patch& patch, std::uint32_t first, std::vector<std::uint8_t>& taken) {
-  Plate plate;
-  plate.faces.push_back(first);
-  plate.place.emplace_back();
-  taken[first] = 1;
-  for (std::size_t i = 0; i < plate.faces.size(); ++i) {
-    const std::uint32_t f = plate.faces[i];
-    const Rigid at = plate.place[i];
-    const Triangle& shape = patch.shape[f];
-    const Triangle laid{at(shape[0]), at(shape[1]), at(shape[2])};
-    plate.flat.push_back(edged(laid));
-    plate.circle.push_back(smallest_circle(laid[0], laid[1], laid[2]));
-    for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      if (patch.frozen[side] != 0 && taken[patch.twin[side] / 3] == 0) {
-        taken[patch.twin[side] / 3] = 1;
-        plate.faces.push_back(patch.twin[side] / 3);
-        plate.place.push_back(at * patch.across[side]);
-      }
-    }
-  }
-  return plate;
-}
+/// Share of the trials in which the new fold is a side of the faces at the removed one.
+constexpr double local_share = 0.8;
+/// Draws to find a cut across a fold anywhere.
+constexpr int draws_for_a_cut = 12;
+/// Trials between two looks at the clock and changes of the heat.
+constexpr std::uint64_t trials_per_look = 512;
+
+/// Heats of the first fall, in pairs of faces, and its trials for each face: ordinary models have their nets
+/// then, most of them after a tenth of it.
+constexpr double cool_first = 0.5;
+constexpr double cool_last = 0.2;
+constexpr std::uint64_t cool_trials_per_face = 200;
+constexpr std::uint64_t least_cool_trials = 2000;
+/// Bodies with long spikes need more: heats of 4.5 to 6.5 find their nets within a second, one of 3 or less
+/// stays where it is, one of 10 never settles. So the walk falls through these again and again.
+constexpr double hot_first = 6.3;
+constexpr double hot_last = 4.7;
+constexpr std::uint64_t hot_trials_per_face = 500;
+constexpr std::uint64_t patient_trials_per_face = 4000;
+constexpr std::uint64_t most_trials = 1'600'000;
+/// After this many hot falls a walk that never had fewer pairs left than this for each face is given up:
+/// bodies whose nets were found had a tenth of it left, rings of narrow walls twice as much.
+constexpr std::uint64_t falls_to_judge = 2;
+constexpr double most_pairs_per_face = 0.1;
 
 }  // namespace
 
-std::vector<Plate> plates_of(const Patch& patch) {
-  std::vector<Plate> plates;
-  std::vector<std::uint8_t> taken(patch.size(), 0);
-  for (std::uint32_t f = 0; f < patch.size(); ++f) {
-    if (taken[f] == 0) {
-      plates.push_back(plate_at(patch, f, taken));
-    }
+NetWalk::NetWalk(const Patch& patch, const WalkRules& rules, std::uint64_t seed)
+    : patch_(patch), rules_(rules), random_(seed), forest_(patch), overlaps_(forest_, rules.tolerance) {
+  if (rules.folds_together) {
+    meetings_.emplace(patch);
   }
-  return plates;
 }
 
-std::vector<Arc> arcs_between(const Patch& patch, const std::vector<Plate>& plates) {
-  std::vector<std::uint32_t> plate_of(patch.size(), 0);
-  std::vector<Rigid> place(patch.size());
-  for (std::uint32_t p = 0; p < plates.size(); ++p) {
-    for (std::size_t i = 0; i < plates[p].faces.size(); ++i) {
-      plate_of[plates[p].faces[i]] = p;
-      place[plates[p].faces[i]] = plates[p].place[i];
-    }
+void NetWalk::set_tree(const Folds& folds) {
+  forest_.set_folds(folds);
+  overlaps_.find_all();
+  if (meetings_) {
+    meetings_->count(forest_.folds());
   }
-  std::vector<Arc> arcs;
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    const std::uint32_t twin = patch.twin[side];
-    if (twin != nothing && side < twin && plate_of[side / 3] != plate_of[twin / 3]) {
-      arcs.push_back({side, plate_of[side / 3], plate_of[twin / 3],
-                      place[side / 3] * patch.across[side] * place[twin / 3].inverse()});
-    }
-  }
-  return arcs;
+  best_ = forest_.folds();
+  least_ = pairs();
+  longer_mm_ = 0.0;
 }
 
-Folds folds_of_plates(const Patch& patch, const std::vector<Plate>& plates) {
-  Folds folds(patch.twin.size(), 0);
-  DisjointSets sets(patch.size());
-  for (const Plate& plate : plates) {
-    for (const std::uint32_t f : plate.faces) {
-      for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-        if (patch.frozen[side] != 0 && sets.join(f, patch.twin[side] / 3)) {
-          set_fold(patch, folds, side, true);
-        }
-      }
-    }
-  }
-  return folds;
+std::uint64_t NetWalk::pairs() const {
+  return overlaps_.total() + (meetings_ ? meetings_->total() : 0);
 }
 
-namespace {
-
-constexpr std::array kinds{StartTree::short_cuts, StartTree::depth_first, StartTree::breadth_first,
-                           StartTree::flat_folds};
-
-StartTree kind_of_start(StartTree first, int start) {
-  const auto at = static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), first) - kinds.begin());
-  return kinds[(at + static_cast<std::size_t>(start)) % kinds.size()];
+bool NetWalk::cool(const Fall& fall, const Context& context) {
+  double heat = fall.first_heat;
+  for (std::uint64_t trial = 0; trial < fall.trials && pairs() > 0; ++trial) {
+    if (trial % trials_per_look == 0) {
+      context.check();
+      if (context.out_of_time()) {
+        return false;
+      }
+      const double done = static_cast<double>(trial) / static_cast<double>(fall.trials);
+      heat = fall.first_heat * elementary::pow(fall.last_heat / fall.first_heat, done);
+    }
+    ++trials_;
+    try_swap(heat);
+  }
+  return pairs() == 0;
 }
 
-/// Searches from several start trees. Most nets are found by the first within a few thousand iterations, but
-/// some of its runs take a hundred times as long as others of the same patch; so after a while a second
-/// search goes on beside it in turns, then a third: the tail of a sum of tails is short (M. Luby, A.
-/// Sinclair, D. Zuckerman, 1993).
-///
-/// In each round every search makes the same number of iterations, and the first in order that finds a net in
-/// it has won: the same one whether they take turns or run at the same time.
-class Race {
- public:
-  Race(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context)
-      : patch_(patch), options_(options), seed_(seed), context_(context) {
-    idle_ = options.idle > 0 ? options.idle : idle_iterations(patch.size());
+void NetWalk::try_swap(double heat) {
+  const auto [f, g] = draw_pair();
+  const std::vector<std::uint32_t>& way = forest_.folds_between(f, g);
+  if (way.empty()) {
+    return;
   }
-
-  NetFound run() {
-    while (!finished()) {
-      join();
-      round();
-    }
-    NetFound found;
-    found.overlaps = std::numeric_limits<std::uint64_t>::max();
-    found.starts = static_cast<int>(runners_.size());
-    found.iterations = iterations_;
-    found.hopeless = std::all_of(runners_.begin(), runners_.end(),
-                                 [](const Runner& runner) { return runner.search->hopeless(); });
-    for (const Runner& runner : runners_) {
-      if (runner.overlaps < found.overlaps) {
-        found.overlaps = runner.overlaps;
-        found.folds = runner.search->best_folds();
-      }
-    }
-    return found;
+  const std::uint32_t fold = pick(way, random_);
+  const Move move{fold, draw_cut(fold)};
+  if (move.closed == nothing) {
+    return;
   }
-
- private:
-  struct Runner {
-    std::unique_ptr<TreeSearch> search;
-    std::uint64_t counted = 0;  ///< iterations when the last round began
-    std::uint64_t overlaps = std::numeric_limits<std::uint64_t>::max();  ///< of its best tree
-    bool running = true;
-  };
-
-  [[nodiscard]] bool finished() const {
-    if (runners_.empty()) {
-      return false;
-    }
-    const bool all_stopped =
-        std::none_of(runners_.begin(), runners_.end(), [](const Runner& r) { return r.running; });
-    const bool all_started = runners_.size() >= static_cast<std::size_t>(options_.starts);
-    return won_ || (all_stopped && all_started) || given_up() || iterations_ >= options_.iterations ||
-           context_.out_of_time();
+  const double longer = patch_.length[move.opened] - patch_.length[move.closed];
+  // What the heat allows is drawn first, so that counting ends as soon as it is passed.
+  const double may_cost =
+      -heat * elementary::log(std::max(random_.unit(), 1e-300)) - longer * rules_.pairs_per_mm;
+  const auto limit = static_cast<std::int64_t>(std::floor(may_cost)) + 1;
+  const std::int64_t met = meetings_ ? static_cast<std::int64_t>(meetings_->total()) : 0;
+  const std::int64_t added = overlaps_.added(move, limit + met);
+  if (added >= limit + met || (meetings_ && !keeps_folding(move, limit + met - added))) {
+    return;
   }
-
-  /// Whether a start has come to its end far from a net: then others would, too.
-  [[nodiscard]] bool given_up() const {
-    return std::any_of(runners_.begin(), runners_.end(),
-                       [](const Runner& r) { return !r.running && r.search->hopeless(); });
+  overlaps_.make(move);
+  forest_.make(move);
+  if (meetings_) {
+    meetings_->keep(forest_.folds());
   }
-
-  void join() {
-    if (runners_.size() >= static_cast<std::size_t>(options_.starts)) {
-      return;
-    }
-    const int number = static_cast<int>(runners_.size());
-    Random random(seed_ + std::uint64_t{0x9e3779b97f4a7c15} * static_cast<std::uint64_t>(number));
-    Runner& runner = runners_.emplace_back();
-    runner.search = std::make_unique<TreeSearch>(patch_, options_.tolerance, random.next());
-    runner.search->set_tree(start_tree(patch_, kind_of_start(options_.start, number), random));
+  longer_mm_ += longer;
+  if (pairs() < least_) {
+    least_ = pairs();
+    best_ = forest_.folds();
   }
+}
 
-  void round() {
-    const std::uint64_t n = patch_.size();
-    const std::uint64_t slice =
-        runners_.size() == 1 ? std::max<std::uint64_t>(n, 500) : std::max<std::uint64_t>(n / 2, 250);
-    const std::uint64_t left = options_.iterations - std::min(options_.iterations, iterations_);
-    std::atomic<std::size_t> winner{runners_.size()};
-    do_in_parallel(runners_.size(), context_, [&](std::size_t i, const Context&) {
-      // Those behind a winner needn't run; who is before it may still win instead.
-      if (i < winner && runners_[i].running && advance(runners_[i], std::min(slice, left))) {
-        for (std::size_t best = winner; i < best && !winner.compare_exchange_weak(best, i);) {
-        }
-      }
-    });
-    settle(winner);
+/// Two faces that overlap or meet.
+std::pair<std::uint32_t, std::uint32_t> NetWalk::draw_pair() {
+  const auto met = static_cast<std::uint32_t>(meetings_ ? meetings_->total() : 0);
+  if (met > 0 && random_.below(met + static_cast<std::uint32_t>(overlaps_.total())) < met) {
+    return pick(meetings_->pairs(), random_);
   }
+  const std::uint32_t f = pick(overlaps_.bad_faces(), random_);
+  return {f, pick(overlaps_.met_by(f), random_)};
+}
 
-  /// What those behind the winner did in this round doesn't count: alone, they wouldn't have had their turn.
-  void settle(std::size_t winner) {
-    for (std::size_t i = 0; i < runners_.size(); ++i) {
-      Runner& runner = runners_[i];
-      if (i > winner) {
-        runner.overlaps = std::numeric_limits<std::uint64_t>::max();
-        continue;
-      }
-      iterations_ += runner.search->iterations() - runner.counted;
-      runner.counted = runner.search->iterations();
-    }
-    won_ = winner < runners_.size();
-  }
-
-  /// Some iterations of one search; true when they found a net.
-  bool advance(Runner& runner, std::uint64_t slice) {
-    TreeSearch& search = *runner.search;
-    const std::uint64_t begin = search.iterations();
-    search.run({slice, idle_}, context_);
-    runner.overlaps = search.best_overlaps();
-    if (runner.overlaps == 0) {
-      // The search counts by small steps; only a fresh layout and another routine may call a net clean.
-      runner.overlaps = find_overlaps(lay_out(patch_, search.best_folds()), options_.tolerance).size();
-      runner.running = false;
-      return runner.overlaps == 0;
-    }
-    runner.running = search.iterations() - begin == slice;
+/// Whether fewer than `limit` pairs meet while folding after the move.
+bool NetWalk::keeps_folding(const Move& move, std::int64_t limit) {
+  if (limit <= 0) {
     return false;
   }
-
-  const Patch& patch_;
-  const NetSearch& options_;
-  const std::uint64_t seed_;
-  const Context& context_;
-  std::uint64_t idle_ = 0;
-  std::vector<Runner> runners_;
-  std::uint64_t iterations_ = 0;
-  bool won_ = false;
-};
-
-}  // namespace
-
-std::uint64_t idle_iterations(std::uint32_t faces) {
-  // Solved nets need about half an iteration per face. Spiky solids need many more, but another search finds
-  // theirs sooner (heated_search.hpp); hopeless small parts are common and must not hold up the rest.
-  return std::max<std::uint64_t>(500, 4 * std::uint64_t{faces});
-}
-
-std::uint64_t iteration_budget(std::uint32_t faces) {
-  // An iteration takes longer the larger the patch is: very large ones get their share of about a minute.
-  constexpr std::uint64_t faces_times_iterations = 400'000'000;
-  const std::uint64_t affordable = faces_times_iterations / std::max(faces, 1U);
-  return std::min(4 * idle_iterations(faces), affordable);
-}
-
-NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed, const Context& context) {
-  return Race(patch, options, seed, context).run();
-}
-
-namespace {
-
-/// Compact trees first: they are most likely to fit.
-constexpr std::array start_kinds{StartTree::short_cuts, StartTree::breadth_first, StartTree::flat_folds,
-                                 StartTree::breadth_first, StartTree::depth_first};
-constexpr std::uint64_t least_iterations = 600;
-/// After so many hopeless starts the others aren't tried.
-constexpr int hopeless_starts = 2;
-
-}  // namespace
-
-OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
-                             std::uint64_t seed, const Context& context) {
-  OnePieceFound result;
-  if (least_pieces(patch, room) > 1) {
-    return result;
+  const Forest::Span half = forest_.carried(move).faces;
+  moved_.clear();
+  for (std::uint32_t i = 0; i < half.count; ++i) {
+    moved_.push_back(forest_.face_in(half, i));
   }
-  Random random(seed);
-  NetSearch options;
-  options.tolerance = search.tolerance;
-  options.starts = 1;
-  options.iterations = least_iterations + search.iterations_per_face * patch.size();
-  options.idle = options.iterations;
-  int hopeless = 0;  // starts that were
-  for (int start = 0; start < search.starts && hopeless < hopeless_starts && !context.out_of_time();
-       ++start) {
-    context.check();
-    options.start = start_kinds[static_cast<std::size_t>(start) % start_kinds.size()];
-    NetFound found = find_net(patch, options, random.next(), context);
-    result.cost += found.iterations * patch.size();
-    hopeless += found.hopeless ? 1 : 0;
-    if (found.overlaps == 0 && all_fit(patch, found.folds, room)) {
-      result.tree = std::move(found.folds);
-      return result;
+  const auto most = static_cast<std::size_t>(limit);
+  return meetings_->after(moved_, move.closed, most) < most;
+}
+
+bool NetWalk::may_close(std::uint32_t side) const {
+  return patch_.twin[side] != nothing && forest_.folds()[side] == 0 && patch_.frozen[side] == 0;
+}
+
+/// A cut that leads from one half of the net to the other when this fold is opened; or nothing.
+std::uint32_t NetWalk::draw_cut(std::uint32_t fold) {
+  return random_.unit() < local_share ? cut_at(fold) : cut_across(fold);
+}
+
+/// A side of one of the two faces at the fold.
+std::uint32_t NetWalk::cut_at(std::uint32_t fold) {
+  const std::uint32_t below = forest_.below(fold);
+  const bool lower = random_.below(2) == 0;
+  const std::uint32_t face = lower ? below : forest_.parent(below);
+  const std::uint32_t side = 3 * face + random_.below(3);
+  return may_close(side) && forest_.in_subtree(below, patch_.twin[side] / 3) != lower ? side : nothing;
+}
+
+/// A side of any face of the smaller half.
+std::uint32_t NetWalk::cut_across(std::uint32_t fold) {
+  const Forest::Span half = forest_.carried({fold, nothing}).faces;
+  for (int i = 0; i < draws_for_a_cut; ++i) {
+    const std::uint32_t side = 3 * forest_.face_in(half, random_.below(half.count)) + random_.below(3);
+    if (may_close(side) && !forest_.in_span(half, patch_.twin[side] / 3)) {
+      return side;
     }
   }
-  return result;
+  return nothing;
+}
+
+std::uint64_t quick_trials(std::uint32_t faces) {
+  return std::max(cool_trials_per_face * faces, least_cool_trials);
+}
+
+std::uint64_t patient_trials(std::uint32_t faces) {
+  return std::max(quick_trials(faces), std::min(patient_trials_per_face * faces, most_trials));
+}
+
+NetFound find_net(const Patch& patch, const Folds& start, const NetSearch& search, std::uint64_t seed,
+                  const Context& context) {
+  NetWalk walk(patch, {search.tolerance}, seed);
+  walk.set_tree(start);
+  const std::uint64_t hot = hot_trials_per_face * patch.size();
+  const auto hopeless = static_cast<std::uint64_t>(most_pairs_per_face * patch.size());
+  bool found =
+      walk.cool({cool_first, cool_last, std::min(search.trials, quick_trials(patch.size()))}, context);
+  while (!found && walk.trials() < search.trials && !context.out_of_time() &&
+         (walk.trials() < falls_to_judge * hot || walk.least() <= hopeless)) {
+    found = walk.cool({hot_first, hot_last, std::min(hot, search.trials - walk.trials())}, context);
+  }
+  NetFound net{walk.best(), walk.least(), walk.trials()};
+  if (net.overlaps == 0) {
+    // The walk counts by small steps; only a fresh layout and another routine may call a net clean.
+    net.overlaps = find_overlaps(lay_out(patch, net.folds), search.tolerance).size();
+  }
+  return net;
 }
 
 }  // namespace ridgecraft::unfold

@@ -1,90 +1,101 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A patch as panels that stay whole and the edges between them.
+// The search for a net: a walk from tree to tree of one patch until nothing overlaps.
+//
+// Each step draws a pair of faces that overlap, a fold on the way between them and a cut that could take its
+// place, and makes the swap where it adds few pairs enough for the heat (N. Metropolis et al., 1953; focused
+// on what is wrong: S. Seitz, M. Alava, P. Orponen, 2005). Swaps of a subtree for nets: L. Zawallich,
+// "Unfolding polyhedra via tabu search", The Visual Computer 2024.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/geometry.hpp"
+#include "base/random.hpp"
+#include "unfold/folding/folding_meetings.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/patch/problem.hpp"
-#include "unfold/patch/tree.hpp"
-#include "unfold/search/circle_tree.hpp"
+#include "unfold/search/forest.hpp"
+#include "unfold/search/forest_overlaps.hpp"
 
 namespace ridgecraft::unfold {
 
-/// A panel: faces that never part.
-struct Plate {
-  std::vector<std::uint32_t> faces;
-  std::vector<Rigid> place;         ///< of each face in the frame of the first one
-  std::vector<EdgedTriangle> flat;  ///< there
-  std::vector<Circle> circle;
+/// What a walk looks for.
+struct WalkRules {
+  double tolerance = 0.0;       ///< of overlap, mm
+  bool folds_together = false;  ///< faces that meet while all creases fold at once count as pairs, too
+  double pairs_per_mm = 0.0;    ///< what a longer cut counts, in pairs
 };
 
-/// An edge between two panels.
-struct Arc {
-  std::uint32_t side = nothing;
-  std::uint32_t a = 0, b = 0;  ///< panels
-  Rigid across;                ///< b's frame seen from a's
-  bool open = true;            ///< neither cut nor folded yet
-  bool fold = false;
+/// A walk from tree to tree of a connected patch, which must outlive it.
+class NetWalk {
+ public:
+  NetWalk(const Patch& patch, const WalkRules& rules, std::uint64_t seed);
+
+  /// Begins at this tree, which must span the patch. O(n log n + pairs).
+  void set_tree(const Folds& folds);
+
+  struct Fall {
+    double first_heat = 0.0;  ///< in pairs: a swap that adds d is made with probability exp(-d / heat)
+    double last_heat = 0.0;
+    std::uint64_t trials = 0;  ///< swaps that are looked at
+  };
+  /// Walks while the heat falls, until nothing is wrong; true then. Throws Error(interrupted), ends early at
+  /// the context's deadline.
+  bool cool(const Fall& fall, const Context& context);
+
+  [[nodiscard]] const Folds& folds() const { return forest_.folds(); }
+  /// Pairs that overlap or meet now.
+  [[nodiscard]] std::uint64_t pairs() const;
+  /// The tree with the fewest pairs since set_tree, and their number.
+  [[nodiscard]] const Folds& best() const { return best_; }
+  [[nodiscard]] std::uint64_t least() const { return least_; }
+  [[nodiscard]] std::uint64_t trials() const { return trials_; }
+  /// By how much the cuts are longer than those of the tree where it began, mm.
+  [[nodiscard]] double longer_mm() const { return longer_mm_; }
+
+ private:
+  void try_swap(double heat);
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> draw_pair();
+  [[nodiscard]] std::uint32_t draw_cut(std::uint32_t fold);
+  [[nodiscard]] std::uint32_t cut_at(std::uint32_t fold);
+  [[nodiscard]] std::uint32_t cut_across(std::uint32_t fold);
+  [[nodiscard]] bool may_close(std::uint32_t side) const;
+  [[nodiscard]] bool keeps_folding(const Move& move, std::int64_t limit);
+
+  const Patch& patch_;
+  const WalkRules rules_;
+  Random random_;
+  Forest forest_;
+  ForestOverlaps overlaps_;
+  std::optional<FoldingMeetings> meetings_;
+  Folds best_;
+  std::uint64_t least_ = 0;
+  std::uint64_t trials_ = 0;
+  double longer_mm_ = 0.0;
+  std::vector<std::uint32_t> moved_;  ///< space to work in
 };
-
-/// What the frozen sides of a patch hold together, in the order of their first faces. O(n).
-[[nodiscard]] std::vector<Plate> plates_of(const Patch& patch);
-
-/// The edges between different ones, by their sides. O(n).
-[[nodiscard]] std::vector<Arc> arcs_between(const Patch& patch, const std::vector<Plate>& plates);
-
-/// Folds that hold each panel together: a tree, whatever loops its frozen sides make.
-[[nodiscard]] Folds folds_of_plates(const Patch& patch, const std::vector<Plate>& plates);
-
-// One net of one patch: start trees, searches, restarts, within a budget that is counted in iterations.
 
 struct NetSearch {
-  StartTree start = StartTree::short_cuts;  ///< later starts: the other kinds in turn
-  double tolerance = 0.0;                   ///< mm
-  int starts = 3;                           ///< start trees, at least 1: searched in turns
-  std::uint64_t iterations = 0;             ///< of all starts together
-  std::uint64_t idle = 0;  ///< a start ends after so many without a better tree; 0: idle_iterations
+  double tolerance = 0.0;    ///< of overlap, mm
+  std::uint64_t trials = 0;  ///< swaps that are looked at, at most: about a million a second
 };
 
-/// Iterations without a better tree after which a start is given up: enough that no good tree is thrown away.
-[[nodiscard]] std::uint64_t idle_iterations(std::uint32_t faces);
-/// A budget that solves every net of our measurements that is solved at all, but ends.
-[[nodiscard]] std::uint64_t iteration_budget(std::uint32_t faces);
+/// Trials within which ordinary models of so many faces have their nets.
+[[nodiscard]] std::uint64_t quick_trials(std::uint32_t faces);
+/// Trials after which a net is given up: those of spiky bodies that were found at all took fewer.
+[[nodiscard]] std::uint64_t patient_trials(std::uint32_t faces);
 
 struct NetFound {
   Folds folds;                 ///< the best tree
-  std::uint64_t overlaps = 0;  ///< of it; 0: a clean net, laid out afresh and checked
-  std::uint64_t iterations = 0;
-  int starts = 0;
-  bool hopeless = false;  ///< what is left is far from a net: other starts won't find any either
+  std::uint64_t overlaps = 0;  ///< of it; 0: a net, laid out afresh and checked
+  std::uint64_t trials = 0;
 };
 
-/// Searches a connected patch for a tree without overlap. Deterministic for one seed but for the deadline,
-/// with any number of threads.
-[[nodiscard]] NetFound find_net(const Patch& patch, const NetSearch& options, std::uint64_t seed,
-                                const Context& context);
-
-// Can these faces be one piece? A quick search that is made for many unions of pieces.
-
-struct OnePieceSearch {
-  double tolerance = 0.0;  ///< mm
-  int starts = 3;          ///< start trees
-  std::uint64_t iterations_per_face = 2;
-};
-
-struct OnePieceFound {
-  std::optional<Folds> tree;
-  std::uint64_t cost = 0;  ///< faces times iterations: about four million a second
-};
-
-/// A tree of a connected patch, panels whole, that has no overlap and fits the room; none where the search
-/// finds none. The first that is found is taken.
-[[nodiscard]] OnePieceFound find_one_piece(const Patch& patch, const Room& room, const OnePieceSearch& search,
-                                           std::uint64_t seed, const Context& context);
+/// Searches a connected patch for a tree without overlap, beginning with a spanning tree. Deterministic for
+/// one seed but for the deadline. Throws Error(interrupted).
+[[nodiscard]] NetFound find_net(const Patch& patch, const Folds& start, const NetSearch& search,
+                                std::uint64_t seed, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The nets that the search for pieces begins with: clean, and of a size to fit the sheet.
+#pragma once
+
+#include <cstdint>
+
+#include "base/context.hpp"
+#include "unfold/net/options.hpp"
+#include "unfold/patch/patch.hpp"
+#include "unfold/patch/problem.hpp"
+
+namespace ridgecraft::unfold {
+
+/// How nets are begun with.
+struct StartRules {
+  double tolerance = 0.0;  ///< of overlap, mm
+  PanelCuts panel_cuts = PanelCuts::only_if_too_large;
+  /// Whether a net is searched for until it is given up; else only as long as most take.
+  bool patient = false;
+};
+
+/// A forest of a connected patch: one net where one is found and fits, else that with the fewest overlaps,
+/// cut until nothing overlaps and all fits. Every panel must fit the room by itself. Deterministic for one
+/// seed but for the deadline. Throws Error(interrupted).
+[[nodiscard]] Folds start_nets(const Patch& patch, const Room& room, const StartRules& rules,
+                               std::uint64_t seed, const Context& context);
+
+}  // namespace ridgecraft::unfold
