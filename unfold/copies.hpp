@@ -29,9 +29,6 @@ struct OneOfEach {
   IdVector<FaceId, PartId> part;  ///< as in the whole: some numbers may not occur
   Options options;                ///< with the constraints for its edges
   std::vector<CopiedBody> copies;
-
-  /// To be unfolded; refers to this object.
-  [[nodiscard]] UnfoldProblem problem() const { return {kept.surface, panels, part, options}; }
 };
 
 /// Of the bodies that Options::twins names those can have the nets of another one that are divided into parts

@@ -184,7 +184,7 @@ Folds give_all_tabs(const UnfoldProblem& problem, const NetProblem& nets, const 
     return made;
   };
   const NetProblem tabbed{problem.surface, problem.panels, nets.patch, nets.part, problem.options, nets.room};
-  return split_for_tabs(tabbed, folds, nets_of, context).folds;
+  return split_for_tabs(tabbed, folds, nets_of, context);
 }
 
 void note_all_tabs(const UnfoldProblem& problem, const AllTabs& split, Nets& nets) {

@@ -108,7 +108,9 @@ class Unfolding {
       : whole_(whole),
         context_(context),
         each_(one_of_each(whole)),
-        asked_(each_ ? each_->problem() : whole),
+        options_(with_prices(each_ ? each_->options : whole.options)),
+        asked_(each_ ? UnfoldProblem{each_->kept.surface, each_->panels, each_->part, options_}
+                     : UnfoldProblem{whole.surface, whole.panels, whole.part, options_}),
         plan_(make_plan(asked_, context)),
         patch_(whole_patch(asked_, plan_)),
         problem_{asked_.surface, plan_.whole, patch_, asked_.part.items(), asked_.options, plan_.room} {}
@@ -180,6 +182,7 @@ class Unfolding {
   const UnfoldProblem& whole_;
   const Context& context_;
   const std::optional<OneOfEach> each_;  ///< where bodies are equal
+  const Options options_;                ///< with the prices that follow from what is asked
   const UnfoldProblem asked_;            ///< without the copies of equal bodies
   const Plan plan_;
   const Patch patch_;

@@ -29,11 +29,11 @@ TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[
     arguments.emplace_back("--json");
     const Json json = Json::parse(run_program(arguments, in(folder)).out);
     const auto told = [&](const char* key) { return std::to_string(json[key].get<int>()); };
-    CHECK(json["tabs"] == json["joins"]);
+    CHECK(json["tabs"].get<int>() + json["joins_without_tab"].get<int>() == json["joins"].get<int>());
     CHECK(json["tabs_usable"].get<int>() + json["joins_too_narrow"].get<int>() == json["joins"].get<int>());
     CHECK(json["joins_too_narrow"] > 0);
     CHECK(text.out.find("  tabs        " + told("tabs") + " for " + told("joins") + " joins, " +
-                        told("tabs_usable") + " of them usable (the others are smaller than holds well)\n") !=
+                        told("tabs_usable") + " of them usable (the others are smaller than holds well)") !=
           std::string::npos);
     CHECK(text.out.find(
               told("joins_too_narrow") +
@@ -41,7 +41,6 @@ TEST_CASE("what is told of tabs agrees with itself where not all are usable", "[
                    ? " edge is too short, or the faces behind it too narrow, for a tab that holds\n"
                    : " edges are too short, or the faces behind them too narrow, for a tab that holds\n")) !=
           std::string::npos);
-    CHECK(json["joins_without_tab"] == 0);
   }
   std::vector<std::string> large{"house.obj", "--size", "8cm", "-v", "-o", "x.fold"};
   const std::string text = run_program(large, in(folder)).out;

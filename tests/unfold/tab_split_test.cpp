@@ -352,7 +352,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
   const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
   const FaceId middle(17);
   const std::vector<unfold::TabGap> gaps{{JoinId(0), {{middle, {FaceId(10)}}}}};
-  const auto cuts = unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, Context());
+  const auto cuts = unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, Context());
   REQUIRE(cuts.size() == 1);
   CHECK(folds[cuts[0]] != 0);
   CHECK(patch.frozen[cuts[0]] == 0);
@@ -376,13 +376,13 @@ TEST_CASE("what stands in the way of tabs is looked for until somebody says stop
   REQUIRE_FALSE(lacking.empty());
   const auto gaps = tab_gaps.gaps(nets, lacking, Context());
   Random random(1);
-  CHECK_FALSE(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, Context()).empty());
+  CHECK_FALSE(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, Context()).empty());
   StopSource source;
   source.request_stop();
   Context stopped;
   stopped.stop = source.get_token();
   CHECK_THROWS_AS(tab_gaps.gaps(nets, lacking, stopped), Error);
-  CHECK_THROWS_AS(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, 0.0, random, stopped), Error);
+  CHECK_THROWS_AS(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, stopped), Error);
 }
 
 TEST_CASE("what has all its tabs isn't split", "[tabs]") {

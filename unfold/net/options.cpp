@@ -54,6 +54,17 @@ PieceRules rules_of_single_parts() {
   return rules;
 }
 
+Options with_prices(const Options& options) {
+  Options priced = options;
+  if (options.tabs.wanted && options.tabs.split_pieces) {
+    // 16 mm without a tab weigh as much as a piece: cuts for the rest then part fewer.
+    constexpr double bare_with_all_tabs = 20.0;
+    double& bare = priced.pieces.weights.bare;
+    bare = std::max(bare, bare_with_all_tabs);
+  }
+  return priced;
+}
+
 double* weight_named(Weights& weights, std::string_view name) {
   const auto* const term =
       std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == name; });

@@ -207,6 +207,9 @@ struct Options {
   prepare::TwinBodies twins = {};
 };
 
+/// What a search is to go by: where tabs are wanted on every edge, one costs nearly any shape.
+[[nodiscard]] Options with_prices(const Options& options);
+
 /// A surface in parts, and how it is to be unfolded; a search over pieces gets a NetProblem
 /// (patch/problem.hpp) made of it. The caller keeps what it refers to.
 struct UnfoldProblem {

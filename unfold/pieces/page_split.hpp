@@ -31,11 +31,9 @@ struct SplitCost {
 /// The cost of a forest: its cuts between faces of the patch.
 [[nodiscard]] SplitCost cost_of(const Patch& patch, const Folds& folds);
 
-/// Removes folds until every piece fits. From several roots, each tree is cut from its
-/// leaves upwards only where a branch no longer fits; the forest with the fewest pieces is kept. Then, for
-/// neighbouring pieces, the cut between them is moved to where it is short, on a sharp or concave edge, and
-/// leaves balanced pieces. Panels stay whole. O(roots n h), h the corners of
-/// the hulls.
+/// Removes folds until every piece fits. From several roots, each tree is cut from its leaves upwards only
+/// where a branch no longer fits; the forest with the fewest pieces is kept. Panels stay whole. O(roots n h),
+/// h the corners of the hulls.
 [[nodiscard]] Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Random& random,
                                  const Context& context);
 

@@ -2,20 +2,14 @@
 #include "unfold/pieces/tab_split.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "base/elementary.hpp"
-#include "base/parallel.hpp"
-#include "base/random.hpp"
-#include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/pieces/page_split.hpp"
-#include "unfold/pieces/piece_borders.hpp"
 #include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 
@@ -72,16 +66,15 @@ class Chooser {
     }
   }
 
-  std::vector<std::uint32_t> run(double blur, Random& random) {
+  std::vector<std::uint32_t> run() {
     std::vector<std::uint32_t> cuts;
     for (;;) {
       context_.check();
       std::uint32_t best = nothing;
       double most = 0.0;
       for (const Worth& worth : worths()) {
-        const double blurred = worth.tabs * (1.0 + blur * random.unit());
-        if (blurred > most) {
-          most = blurred;
+        if (worth.tabs > most) {
+          most = worth.tabs;
           best = worth.side;
         }
       }
@@ -231,210 +224,32 @@ class Chooser {
 
 }  // namespace
 
-std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, double blur, Random& random,
-                                           const Context& context) {
-  return Chooser(forest, context).run(blur, random);
+std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, const Context& context) {
+  return Chooser(forest, context).run();
 }
 
-namespace {
-
-/// Cuts between two pieces that are tried as a fold, the longest first.
-constexpr std::size_t cuts_tried = 8;
-using Faces = std::vector<std::uint32_t>;
-
-/// What cutting and uniting have to know and to keep.
-struct SplitRules {
-  const NetProblem& problem;
-  const TabGaps& tab_gaps;
-  const NetsOf& nets_of;
-  std::span<const std::uint32_t> origin;  ///< per face: only pieces of one origin are united
-};
-
-/// Pieces of the forest as a patch of their own.
-struct Pieces {
-  Faces faces;  ///< of the whole patch, ascending
-  Patch patch;
-  Folds folds;
-};
-
-class Uniter {
- public:
-  Uniter(const SplitRules& rules, TabSplit split, const Context& context)
-      : rules_(rules), context_(context), best_(std::move(split)) {}
-
-  TabSplit run() {
-    while (!context_.out_of_time() && unite_any()) {
-    }
-    return std::move(best_);
-  }
-
- private:
-  bool unite_any() {
-    const Layout layout = lay_out(rules_.problem.patch, best_.folds);
-    std::vector<PieceBorder> borders = piece_borders(rules_.problem.patch, layout.piece);
-    std::erase_if(borders, [&](const PieceBorder& border) {
-      const auto origin = [&](std::uint32_t piece) { return rules_.origin[layout.faces[piece].front()]; };
-      return origin(border.a) != origin(border.b);
-    });
-    return std::any_of(borders.begin(), borders.end(), [&](const PieceBorder& border) {
-      return unite(layout.faces[border.a], layout.faces[border.b]);
-    });
-  }
-
-  /// Makes one piece of two, if that costs no tab.
-  bool unite(const Faces& one, const Faces& other) {
-    context_.check();
-    Pieces given;
-    given.faces = one;
-    given.faces.insert(given.faces.end(), other.begin(), other.end());
-    std::sort(given.faces.begin(), given.faces.end());
-    if (context_.out_of_time() || !tried_.insert(given.faces).second) {
-      return false;
-    }
-    given.patch = sub_patch(rules_.problem.patch, given.faces);
-    given.folds = sub_folds(rules_.problem.patch, best_.folds, given.faces);
-    for (const std::uint32_t side : cuts_between(given.patch, given.folds)) {
-      Folds folds = given.folds;
-      set_fold(given.patch, folds, side, true);
-      if (is_good(given.patch, folds) && take(given, folds)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /// Cuts from one piece to another, the longest first.
-  [[nodiscard]] static std::vector<std::uint32_t> cuts_between(const Patch& patch, const Folds& folds) {
-    const Layout layout = lay_out(patch, folds);
-    std::vector<std::uint32_t> cuts;
-    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-      const std::uint32_t twin = patch.twin[side];
-      if (twin != nothing && side < twin && layout.piece[side / 3] != layout.piece[twin / 3]) {
-        cuts.push_back(side);
-      }
-    }
-    std::stable_sort(cuts.begin(), cuts.end(),
-                     [&](std::uint32_t x, std::uint32_t y) { return patch.length[x] > patch.length[y]; });
-    cuts.resize(std::min(cuts.size(), cuts_tried));
-    return cuts;
-  }
-
-  [[nodiscard]] bool is_good(const Patch& patch, const Folds& folds) const {
-    return all_fit(patch, folds, rules_.problem.room) &&
-           find_overlaps(lay_out(patch, folds), rules_.problem.tolerance()).empty();
-  }
-
-  [[nodiscard]] EdgeId edge_of(const Pieces& given, std::uint32_t side) const {
-    return rules_.problem.surface.edge(mesh::corner(given.patch.face[side / 3], side % 3));
-  }
-
-  /// Keeps a forest of these faces if no tab is lost. Joins inside are looked at first, by themselves: that
-  /// is quick.
-  bool take(const Pieces& given, const Folds& changed) {
-    if (missing_inside(given, changed) > best_.missing) {
-      return false;
-    }
-    Folds folds = best_.folds;
-    put_back(rules_.problem.patch, given.faces, changed, folds);
-    const std::size_t missing = rules_.tab_gaps.missing(rules_.nets_of(folds)).size();
-    if (missing > best_.missing) {
-      return false;
-    }
-    best_ = {std::move(folds), missing};
-    return true;
-  }
-
-  [[nodiscard]] std::size_t missing_inside(const Pieces& given, const Folds& folds) const {
-    const mesh::Surface& surface = rules_.problem.surface;
-    const Layout layout = lay_out(given.patch, folds);
-    Nets nets;
-    nets.use = IdVector<EdgeId, EdgeUse>(surface.edge_count(), EdgeUse::cut);
-    nets.piece = IdVector<FaceId, PieceId>(surface.face_count());
-    nets.flat = IdVector<FaceId, std::array<Vec2, 3>>(surface.face_count());
-    for (const Faces& faces : layout.faces) {
-      Piece piece;
-      for (const std::uint32_t f : faces) {
-        const FaceId face = given.patch.face[f];
-        piece.faces.push_back(face);
-        nets.piece[face] = PieceId(nets.pieces.size());
-        nets.flat[face] = layout.flat[f];
-      }
-      nets.pieces.push_back(std::move(piece));
-    }
-    for (std::uint32_t side = 0; side < folds.size(); ++side) {
-      if (folds[side] != 0 || is_slit(given.patch, folds, layout, side)) {
-        nets.use[edge_of(given, side)] = EdgeUse::fold;
-      } else if (given.patch.twin[side] != nothing && side < given.patch.twin[side]) {
-        nets.joins.push_back({edge_of(given, side), 0, TabId(), NoTab::not_wanted, false});
-      }
-    }
-    place_tabs({surface, rules_.problem.panels, rules_.problem.options.tabs}, nets, context_);
-    return rules_.tab_gaps.missing(nets).size();
-  }
-
-  const SplitRules& rules_;
-  const Context& context_;
-  TabSplit best_;
-  std::set<Faces> tried_;
-};
-
-/// Ways to split that are tried: the first by the order of worth, the others with blurred orders.
-constexpr std::size_t attempts = 4;
-constexpr double blur_of_order = 0.5;
-
-/// Cuts until no tab is missing, or none of those that are can be had by cutting.
-TabSplit cut_for_tabs(const SplitRules& rules, const Folds& folds, double blur, Random& random,
-                      const Context& context) {
-  const Patch& patch = rules.problem.patch;
-  TabSplit result{folds, 0};
+Folds split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
+                     const Context& context) {
+  const Patch& patch = problem.patch;
+  const TabGaps tab_gaps({problem.surface, problem.panels, problem.options.tabs}, patch, folds, context);
+  Folds result = folds;
   for (;;) {
     context.check();
-    const Nets nets = rules.nets_of(result.folds);
-    const std::vector<JoinId> missing = rules.tab_gaps.missing(nets);
-    result.missing = missing.size();
+    const Nets nets = nets_of(result);
+    const std::vector<JoinId> missing = tab_gaps.missing(nets);
     if (missing.empty() || context.out_of_time()) {
       return result;
     }
-    const std::vector<TabGap> gaps = rules.tab_gaps.gaps(nets, missing, context);
-    const std::vector<std::uint32_t> cuts = choose_tab_cuts(
-        {rules.problem.surface, patch, result.folds, rules.tab_gaps, gaps}, blur, random, context);
+    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing, context);
+    const std::vector<std::uint32_t> cuts =
+        choose_tab_cuts({problem.surface, patch, result, tab_gaps, gaps}, context);
     if (cuts.empty()) {
       return result;
     }
     for (const std::uint32_t side : cuts) {
-      set_fold(patch, result.folds, side, false);
+      set_fold(patch, result, side, false);
     }
   }
-}
-
-}  // namespace
-
-TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
-                        const Context& context) {
-  const Patch& patch = problem.patch;
-  const TabGaps tab_gaps({problem.surface, problem.panels, problem.options.tabs}, patch, folds, context);
-  const Layout before = lay_out(patch, folds);
-  const SplitRules rules{problem, tab_gaps, nets_of, before.piece};
-  // What there is no time to try is worse than anything.
-  std::vector<TabSplit> tried(attempts, {folds, std::numeric_limits<std::size_t>::max()});
-  do_in_parallel(attempts, context, [&](std::size_t i, const Context& own) {
-    if (i > 0 && own.out_of_time()) {
-      return;
-    }
-    Random random = Random::stream(context.seed, i);
-    const double blur = i == 0 ? 0.0 : blur_of_order;
-    const TabSplit cut = cut_for_tabs(rules, folds, blur, random, own);
-    tried[i] = Uniter(rules, cut, own).run();
-  });
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < attempts; ++i) {
-    const bool fewer = tried[i].missing < tried[best].missing;
-    if (fewer || (tried[i].missing == tried[best].missing &&
-                  cost_of(patch, tried[i].folds) < cost_of(patch, tried[best].folds))) {
-      best = i;
-    }
-  }
-  return std::move(tried[best]);
 }
 
 }  // namespace ridgecraft::unfold

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/random.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "unfold/net/nets.hpp"
@@ -21,13 +20,8 @@
 
 namespace ridgecraft::unfold {
 
-/// The nets of a forest with all their tabs, as they will be returned. Called from several threads.
+/// The nets of a forest with all their tabs, as they will be returned.
 using NetsOf = std::function<Nets(const Folds&)>;
-
-struct TabSplit {
-  Folds folds;
-  std::size_t missing = 0;  ///< joins that could have a usable tab (TabGaps::able) and have none
-};
 
 // Which folds to cut so that tabs get room: those that lie between many tabs and what stands in their way.
 
@@ -42,18 +36,15 @@ struct ForestWithGaps {
 
 /// Chooses folds, one side of each, until each gap has a place from which all that stands in its way is cut
 /// off, as far as cutting can do that: the fold that does most for all gaps first (greedy set cover, V.
-/// Chvatal 1979, over tree paths). What the tabs of the new cuts need isn't foreseen. `blur` of 0 or more
-/// makes the order random by so much. O(cuts (gaps + folds on their paths)). Throws Error(interrupted).
-[[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, double blur,
-                                                         Random& random, const Context& context);
+/// Chvatal 1979, over tree paths). What the tabs of the new cuts need isn't foreseen. O(cuts (gaps + folds on
+/// their paths)). Throws Error(interrupted).
+[[nodiscard]] std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest,
+                                                         const Context& context);
 
-/// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab, and joins
-/// again what was cut where all keep theirs. Each round cuts the folds that lie
-/// between the most tabs and what stands in their way (greedy set cover over tree paths, as in
-/// overlap_split.hpp); the best of several attempts is kept. Single flat regions stay whole, all pieces fit
-/// the room. Every tab that is counted was placed by place_tabs. Deterministic for one seed but for the
-/// deadline, at which it returns what it has.
-[[nodiscard]] TabSplit split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
-                                      const Context& context);
+/// Cuts pieces of a clean forest until every join that can (TabGaps::able) has a usable tab. Single flat
+/// regions stay whole, all pieces fit the room. Every tab that is counted was placed by place_tabs. Ends at
+/// the deadline with what it has.
+[[nodiscard]] Folds split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
+                                   const Context& context);
 
 }  // namespace ridgecraft::unfold
