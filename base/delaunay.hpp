@@ -12,8 +12,7 @@
 
 namespace ridgecraft {
 
-// Triangles inside a plane outline that may be concave and have holes. Keeps CGAL out of
-// headers.
+// Triangles inside a plane outline that may be concave and have holes.
 
 /// Constrained Delaunay triangulation of what lies inside the segments, counted by crossings (odd is inside;
 /// a segment that is there twice, such as the bridge to a hole, bounds nothing). Every segment is a side of

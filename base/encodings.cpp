@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace ridgecraft {
 
@@ -60,15 +61,6 @@ namespace {
 constexpr std::uint64_t first_factor = 0x9e3779b185ebca87ULL;
 constexpr std::uint64_t second_factor = 0xc2b2ae3d27d4eb4fULL;
 
-/// Up to eight bytes as a little-endian number, on any machine.
-std::uint64_t load(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    value |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-  }
-  return value;
-}
-
 std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
   return std::rotl(state ^ (std::rotl(word * first_factor, 31) * second_factor), 27) * first_factor +
          second_factor;
@@ -79,52 +71,20 @@ std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
 std::string digest(std::string_view bytes) {
   std::uint64_t state = mix(second_factor, bytes.size());
   for (; bytes.size() >= 8; bytes.remove_prefix(8)) {
-    state = mix(state, load(bytes.substr(0, 8)));
+    state = mix(state, little_endian(bytes.substr(0, 8)));
   }
-  state = mix(state, load(bytes));
+  state = mix(state, little_endian(bytes));
   state = (state ^ (state >> 30U)) * 0xbf58476d1ce4e5b9ULL;
   state = (state ^ (state >> 27U)) * 0x94d049bb133111ebULL;
   return fmt::format("{:016x}", state ^ (state >> 31U));
 }
 
-namespace {
-
-bool is_continuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
-}
-
-/// Bytes of the well-formed UTF-8 sequence at the start of `text`; 0 where there is none (Unicode standard,
-/// table 3-7).
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(text[i])); };
-  const unsigned first = byte(0);
-  const std::size_t size = first < 0x80U                      ? 1
-                           : first >= 0xc2U && first <= 0xdfU ? 2
-                           : first >= 0xe0U && first <= 0xefU ? 3
-                           : first >= 0xf0U && first <= 0xf4U ? 4
-                                                              : 0;
-  if (size == 0 || size > text.size()) {
-    return 0;
-  }
-  for (std::size_t i = 1; i < size; ++i) {
-    if (!is_continuation(text[i])) {
-      return 0;
-    }
-  }
-  // Overlong forms, surrogates and what lies beyond U+10FFFF.
-  const bool bad = (first == 0xe0U && byte(1) < 0xa0U) || (first == 0xedU && byte(1) > 0x9fU) ||
-                   (first == 0xf0U && byte(1) < 0x90U) || (first == 0xf4U && byte(1) > 0x8fU);
-  return bad ? 0 : size;
-}
-
-}  // namespace
-
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
   while (!text.empty()) {
-    const std::size_t size = sequence_length(text);
+    const auto [code, size] = first_character(text);
     const char c = text.front();
-    if (size == 0) {
+    if (code == replacement_character && size == 1) {
       quoted += "\\ufffd";
     } else if (c == '"' || c == '\\') {
       quoted += '\\';
@@ -134,7 +94,7 @@ std::string json_string(std::string_view text) {
     } else {
       quoted += text.substr(0, size);
     }
-    text.remove_prefix(size == 0 ? 1 : size);
+    text.remove_prefix(size);
   }
   return quoted += '"';
 }

@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,15 @@ namespace ridgecraft {
 
 /// RFC 4648, with padding. O(n).
 [[nodiscard]] std::string base64(std::string_view bytes);
+
+/// The number that up to eight bytes make, the lowest first, on any machine.
+[[nodiscard]] constexpr std::uint64_t little_endian(std::string_view bytes) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    value |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
+  }
+  return value;
+}
 
 // Text inside XML documents (SVG, URDF).
 

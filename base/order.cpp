@@ -65,23 +65,11 @@ std::vector<std::uint32_t> order_of(std::span<const float> numbers, std::uint32_
   return order;
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> ascending_order(std::span<const float> numbers) {
-  return order_of(numbers, 0U);
-}
-
-std::vector<std::uint32_t> descending_order(std::span<const float> numbers) {
-  return order_of(numbers, ~0U);
-}
-
-namespace {
-
-/// Digits by which places are sorted: three rounds of counting.
-constexpr unsigned digit_bits = curve_bits;
-constexpr std::uint32_t digits = 1U << digit_bits;
-
-constexpr double last_cell = static_cast<double>((1U << curve_bits) - 1U);
+/// Cells of the curve along each side of the box: 2 to this power. Places are sorted by as many bits in each
+/// of three rounds.
+constexpr unsigned curve_bits = 10;
+constexpr std::uint32_t digits = 1U << curve_bits;
+constexpr double last_cell = digits - 1.0;
 
 /// Written so that NaN, which infinity times 0 makes of an extent beyond all measure, comes out as 0.
 std::uint32_t cell_number(double x) {
@@ -96,10 +84,29 @@ std::uint32_t spread(std::uint32_t x) {
   return (x | x << 2U) & 0x09249249U;
 }
 
-}  // namespace
-
+/// Place on the curve of a point whose coordinates are numbers of cells; others count as the nearest of
+/// these, what is no number as 0.
 std::uint32_t place_on_curve(Vec3 cell) {
   return spread(cell_number(cell.x)) | spread(cell_number(cell.y)) << 1U | spread(cell_number(cell.z)) << 2U;
+}
+
+/// 0 and -0 are one place.
+std::uint64_t bits(double x) {
+  return std::bit_cast<std::uint64_t>(x + 0.0);
+}
+
+std::uint64_t hash(Vec3 p) {
+  return Random(Random(Random(bits(p.x)).next() ^ bits(p.y)).next() ^ bits(p.z)).next();
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> ascending_order(std::span<const float> numbers) {
+  return order_of(numbers, 0U);
+}
+
+std::vector<std::uint32_t> descending_order(std::span<const float> numbers) {
+  return order_of(numbers, ~0U);
 }
 
 std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
@@ -116,7 +123,7 @@ std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
   std::vector<std::uint32_t> sorted(points.size());
-  for (unsigned shift = 0; shift < 3 * curve_bits; shift += digit_bits) {
+  for (unsigned shift = 0; shift < 3 * curve_bits; shift += curve_bits) {
     std::array<std::uint32_t, digits + 1> first{};
     for (const std::uint32_t p : place) {
       ++first[((p >> shift) & (digits - 1)) + 1];
@@ -129,19 +136,6 @@ std::vector<std::uint32_t> curve_order(std::span<const Vec3> points) {
   }
   return order;
 }
-
-namespace {
-
-/// 0 and -0 are one place.
-std::uint64_t bits(double x) {
-  return std::bit_cast<std::uint64_t>(x + 0.0);
-}
-
-std::uint64_t hash(Vec3 p) {
-  return Random(Random(Random(bits(p.x)).next() ^ bits(p.y)).next() ^ bits(p.z)).next();
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> first_at_place(std::span<const Vec3> points,
                                           std::span<const std::uint8_t> counts) {

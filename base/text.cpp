@@ -60,6 +60,35 @@ bool forbidden(char32_t code) {
   return is_control(code) || (code & 0xFFFEU) == 0xFFFEU;
 }
 
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) {
+    row[j] = j;
+  }
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+struct Unit {
+  std::string_view word;
+  double mm;
+};
+/// No word stands before a longer one that begins like it.
+constexpr std::array units{Unit{"mm", 1.0},    Unit{"cm", 10.0}, Unit{"m", 1000.0}, Unit{"inches", 25.4},
+                           Unit{"inch", 25.4}, Unit{"in", 25.4}, Unit{"\"", 25.4},  Unit{"ft", 304.8}};
+
 }  // namespace
 
 std::vector<char32_t> code_points(std::string_view utf8) {
@@ -82,12 +111,8 @@ std::string printable_utf8(std::string_view utf8) {
   return out;
 }
 
-namespace {
-
 /// Words of a file are cut here, so that a message stays one line on a screen.
 constexpr std::size_t longest_quotation = 40;
-
-}  // namespace
 
 std::string printable(std::string_view text) {
   std::string result;
@@ -128,31 +153,6 @@ std::string listed(const std::vector<std::string>& words, const std::string& con
   return text;
 }
 
-namespace {
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) {
-    row[j] = j;
-  }
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
-}  // namespace
-
 std::string nearest_word(std::string_view word, std::span<const std::string> known) {
   std::string nearest;
   std::size_t best = word.size() / 3 + 2;
@@ -165,18 +165,6 @@ std::string nearest_word(std::string_view word, std::span<const std::string> kno
   }
   return nearest;
 }
-
-namespace {
-
-struct Unit {
-  std::string_view word;
-  double mm;
-};
-/// No word stands before a longer one that begins like it.
-constexpr std::array units{Unit{"mm", 1.0},    Unit{"cm", 10.0}, Unit{"m", 1000.0}, Unit{"inches", 25.4},
-                           Unit{"inch", 25.4}, Unit{"in", 25.4}, Unit{"\"", 25.4},  Unit{"ft", 304.8}};
-
-}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t");

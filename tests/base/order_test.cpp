@@ -43,29 +43,6 @@ bool has_each_once(std::vector<std::uint32_t> order, std::size_t count) {
 
 }  // namespace
 
-TEST_CASE("A place on the curve is the bits of its coordinates in turn") {
-  Random random(3);
-  for (unsigned bit = 0; bit < curve_bits; ++bit) {
-    const std::uint32_t one = 1U << bit;
-    CHECK(place_on_curve(cell_at(one, 0, 0)) == interleaved(one, 0, 0));
-    CHECK(place_on_curve(cell_at(0, one, 0)) == interleaved(0, one, 0));
-    CHECK(place_on_curve(cell_at(0, 0, one)) == interleaved(0, 0, one));
-  }
-  for (int i = 0; i < 1000; ++i) {
-    const auto x = random.below(1024);
-    const auto y = random.below(1024);
-    const auto z = random.below(1024);
-    CHECK(place_on_curve(cell_at(x, y, z) + Vec3{random.unit(), 0.0, 0.5}) == interleaved(x, y, z));
-  }
-}
-
-TEST_CASE("What lies beside the curve's cells counts as the nearest one") {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  CHECK(place_on_curve({-1.0, 1024.0, 5.0}) == interleaved(0, 1023, 5));
-  CHECK(place_on_curve({-infinity, infinity, 1e300}) == interleaved(0, 1023, 1023));
-  CHECK(place_on_curve({std::nan(""), 1.0, -std::nan("")}) == interleaved(0, 1, 0));
-}
-
 TEST_CASE("Points come in the order of their places on the curve, those of one cell in theirs") {
   Random random(11);
   for (const std::uint32_t side : {1024U, 16U, 2U}) {
