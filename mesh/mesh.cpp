@@ -112,20 +112,6 @@ Model repair_polygons(std::span<const Vec3> points, std::span<const Polygon> pol
   return model;
 }
 
-}  // namespace
-
-Model repair(std::span<const Vec3> points, std::span<const std::vector<std::uint32_t>> polygons,
-             const ReadOptions& options, const Context& context) {
-  return repair_polygons(points, polygons, options, context);
-}
-
-Model repair(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-             const ReadOptions& options, const Context& context) {
-  return repair_polygons(points, triangles, options, context);
-}
-
-namespace {
-
 void check(const Surface& surface, const FaceColours& colours) {
   RIDGECRAFT_ASSERT(colours.empty() || colours.size() == surface.face_count());
 }
@@ -197,6 +183,16 @@ void append_text_body(std::string& text, const Surface& surface, const FaceColou
 }
 
 }  // namespace
+
+Model repair(std::span<const Vec3> points, std::span<const std::vector<std::uint32_t>> polygons,
+             const ReadOptions& options, const Context& context) {
+  return repair_polygons(points, polygons, options, context);
+}
+
+Model repair(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+             const ReadOptions& options, const Context& context) {
+  return repair_polygons(points, triangles, options, context);
+}
 
 std::string write_ply(const Surface& surface, const FaceColours& colours, PlyKind kind) {
   check(surface, colours);

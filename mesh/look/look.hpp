@@ -113,13 +113,8 @@ class Look {
   /// Calls visit(face) for faces whose boxes meet this one.
   template <class Visit>
   void near_box(const Box3& box, Visit visit) const {
-    tree_.search(
-        [&](std::uint32_t node) {
-          const Box3& b = tree_.box(node);
-          return b.low.x <= box.high.x && b.low.y <= box.high.y && b.low.z <= box.high.z &&
-                 box.low.x <= b.high.x && box.low.y <= b.high.y && box.low.z <= b.high.z;
-        },
-        [&](std::uint32_t place) { visit(tree_.order()[place]); });
+    tree_.search([&](std::uint32_t node) { return meet(tree_.box(node), box); },
+                 [&](std::uint32_t place) { visit(tree_.order()[place]); });
   }
 
   /// The colour of a face, if it is one colour all over: without a picture, or where all pixels under it are

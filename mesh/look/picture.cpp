@@ -37,112 +37,6 @@ std::uint64_t spread(const std::uint8_t* pixel) {
   return std::uint64_t{pixel[0]} | std::uint64_t{pixel[1]} << 16U | std::uint64_t{pixel[2]} << 32U;
 }
 
-}  // namespace
-
-Picture::Picture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> pixels) {
-  levels_.push_back({width, height, std::move(pixels)});
-  while (std::min(levels_.back().width, levels_.back().height) >= 2 * shortest_side) {
-    const Level& fine = levels_.back();
-    Level coarse{fine.width / 2, fine.height / 2, {}};
-    coarse.pixels.resize(std::size_t{3} * coarse.width * coarse.height);
-    for (std::size_t y = 0; y < coarse.height; ++y) {
-      const std::uint8_t* const above = fine.pixels.data() + 2 * y * fine.width * 3;
-      const std::uint8_t* const below = above + std::size_t{3} * fine.width;
-      std::uint8_t* const out = coarse.pixels.data() + y * coarse.width * 3;
-      for (std::size_t x = 0; x < coarse.width; ++x) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::size_t at = 6 * x + k;
-          out[3 * x + k] =
-              static_cast<std::uint8_t>((above[at] + above[at + 3] + below[at] + below[at + 3] + 2) / 4);
-        }
-      }
-    }
-    levels_.push_back(std::move(coarse));
-  }
-}
-
-unsigned Picture::level_for(double pixels_per_dot) const {
-  unsigned level = 0;
-  while (level + 1 < levels_.size() && pixels_per_dot >= 2.0) {
-    pixels_per_dot /= 2.0;
-    ++level;
-  }
-  return level;
-}
-
-Rgb Picture::at(Vec2 uv, unsigned level) const {
-  const Level& in = levels_[level];
-  const double x = uv.x * in.width - 0.5;
-  const double y = (1.0 - uv.y) * in.height - 0.5;
-  // Most places lie within, where no number is negative.
-  const bool within = x >= 0.0 && y >= 0.0 && x < in.width && y < in.height;
-  const double left = within ? static_cast<double>(static_cast<std::uint32_t>(x)) : std::floor(x);
-  const double top = within ? static_cast<double>(static_cast<std::uint32_t>(y)) : std::floor(y);
-  const std::size_t x0 = within ? static_cast<std::size_t>(left) : wrapped(left, in.width);
-  const std::size_t y0 = within ? static_cast<std::size_t>(top) : wrapped(top, in.height);
-  return in.between(x0, x0 + 1 == in.width ? 0 : x0 + 1, y0, y0 + 1 == in.height ? 0 : y0 + 1,
-                    static_cast<std::uint32_t>((x - left) * whole),
-                    static_cast<std::uint32_t>((y - top) * whole));
-}
-
-void Picture::along(Vec2 from, Vec2 to, unsigned level, std::span<Rgb> colours) const {
-  const Level& in = levels_[level];
-  const double steps = colours.size() > 1 ? static_cast<double>(colours.size() - 1) : 1.0;
-  const Vec2 first{from.x * in.width - 0.5, (1.0 - from.y) * in.height - 0.5};
-  const Vec2 step{(to.x - from.x) / steps * in.width, (from.y - to.y) / steps * in.height};
-  const Vec2 last = first + steps * step;
-  // Where all places lie within, they are counted in 2^-32 of a pixel, and steps may be off by one of these.
-  constexpr double fraction = 4294967296.0;
-  constexpr double margin = 0.001;
-  constexpr std::size_t most = 1U << 20U;
-  const auto inside = [](double place, std::uint32_t size) {
-    return place >= margin && place < size - 1.0 - margin;
-  };
-  if (!inside(first.x, in.width) || !inside(last.x, in.width) || !inside(first.y, in.height) ||
-      !inside(last.y, in.height) || colours.size() > most) {
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-      colours[i] = at(from + static_cast<double>(i) / steps * (to - from), level);
-    }
-    return;
-  }
-  const auto counted = [](double number) { return static_cast<std::int64_t>(number * fraction); };
-  std::int64_t x = counted(first.x);
-  std::int64_t y = counted(first.y);
-  const std::int64_t over = counted(step.x);
-  const std::int64_t down = counted(step.y);
-  for (Rgb& colour : colours) {
-    const auto x0 = static_cast<std::size_t>(x >> 32U);
-    const auto y0 = static_cast<std::size_t>(y >> 32U);
-    colour = in.between(x0, x0 + 1, y0, y0 + 1, static_cast<std::uint32_t>(x >> 24U) % whole,
-                        static_cast<std::uint32_t>(y >> 24U) % whole);
-    x += over;
-    y += down;
-  }
-}
-
-Rgb Picture::Level::between(std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1,
-                            std::uint32_t right_share, std::uint32_t low_share) const {
-  const std::uint8_t* const above = pixels.data() + 3 * y0 * width;
-  const std::uint8_t* const below = pixels.data() + 3 * y1 * width;
-  // All channels at a time: mixed along a row each takes 16 bits, mixed across rows 24.
-  const auto along = [&](const std::uint8_t* row) {
-    return spread(row + 3 * x0) * (whole - right_share) + spread(row + 3 * x1) * right_share;
-  };
-  const std::uint64_t high = along(above);
-  const std::uint64_t low = along(below);
-  constexpr std::uint64_t outer = 0xffff0000ffffU;  // red and blue
-  const auto across = [&](std::uint64_t up, std::uint64_t down, std::uint64_t rounding) {
-    return up * (whole - low_share) + down * low_share + rounding;
-  };
-  constexpr std::uint64_t half = std::uint64_t{whole} * whole / 2;
-  const std::uint64_t red_blue = across(high & outer, low & outer, half | half << 32U);
-  const std::uint64_t green = across(high >> 16U & 0xffffU, low >> 16U & 0xffffU, half);
-  return {static_cast<std::uint8_t>(red_blue >> 16U), static_cast<std::uint8_t>(green >> 16U),
-          static_cast<std::uint8_t>(red_blue >> 48U)};
-}
-
-namespace {
-
 // PNG by libpng's simplified interface, JPEG by libjpeg. What jumps out of libjpeg holds no objects of C++.
 
 constexpr int jpeg_quality = 92;
@@ -269,6 +163,107 @@ bool write_jpeg(jpeg_compress_struct& info, JpegFailure& failure, std::span<cons
 }
 
 }  // namespace
+
+Picture::Picture(std::uint32_t width, std::uint32_t height, std::vector<std::uint8_t> pixels) {
+  levels_.push_back({width, height, std::move(pixels)});
+  while (std::min(levels_.back().width, levels_.back().height) >= 2 * shortest_side) {
+    const Level& fine = levels_.back();
+    Level coarse{fine.width / 2, fine.height / 2, {}};
+    coarse.pixels.resize(std::size_t{3} * coarse.width * coarse.height);
+    for (std::size_t y = 0; y < coarse.height; ++y) {
+      const std::uint8_t* const above = fine.pixels.data() + 2 * y * fine.width * 3;
+      const std::uint8_t* const below = above + std::size_t{3} * fine.width;
+      std::uint8_t* const out = coarse.pixels.data() + y * coarse.width * 3;
+      for (std::size_t x = 0; x < coarse.width; ++x) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::size_t at = 6 * x + k;
+          out[3 * x + k] =
+              static_cast<std::uint8_t>((above[at] + above[at + 3] + below[at] + below[at + 3] + 2) / 4);
+        }
+      }
+    }
+    levels_.push_back(std::move(coarse));
+  }
+}
+
+unsigned Picture::level_for(double pixels_per_dot) const {
+  unsigned level = 0;
+  while (level + 1 < levels_.size() && pixels_per_dot >= 2.0) {
+    pixels_per_dot /= 2.0;
+    ++level;
+  }
+  return level;
+}
+
+Rgb Picture::at(Vec2 uv, unsigned level) const {
+  const Level& in = levels_[level];
+  const double x = uv.x * in.width - 0.5;
+  const double y = (1.0 - uv.y) * in.height - 0.5;
+  // Most places lie within, where no number is negative.
+  const bool within = x >= 0.0 && y >= 0.0 && x < in.width && y < in.height;
+  const double left = within ? static_cast<double>(static_cast<std::uint32_t>(x)) : std::floor(x);
+  const double top = within ? static_cast<double>(static_cast<std::uint32_t>(y)) : std::floor(y);
+  const std::size_t x0 = within ? static_cast<std::size_t>(left) : wrapped(left, in.width);
+  const std::size_t y0 = within ? static_cast<std::size_t>(top) : wrapped(top, in.height);
+  return in.between({x0, x0 + 1 == in.width ? 0 : x0 + 1, y0, y0 + 1 == in.height ? 0 : y0 + 1,
+                     static_cast<std::uint32_t>((x - left) * whole),
+                     static_cast<std::uint32_t>((y - top) * whole)});
+}
+
+void Picture::along(Vec2 from, Vec2 to, unsigned level, std::span<Rgb> colours) const {
+  const Level& in = levels_[level];
+  const double steps = colours.size() > 1 ? static_cast<double>(colours.size() - 1) : 1.0;
+  const Vec2 first{from.x * in.width - 0.5, (1.0 - from.y) * in.height - 0.5};
+  const Vec2 step{(to.x - from.x) / steps * in.width, (from.y - to.y) / steps * in.height};
+  const Vec2 last = first + steps * step;
+  // Where all places lie within, they are counted in 2^-32 of a pixel, and steps may be off by one of these.
+  constexpr double fraction = 4294967296.0;
+  constexpr double margin = 0.001;
+  constexpr std::size_t most = 1U << 20U;
+  const auto inside = [](double place, std::uint32_t size) {
+    return place >= margin && place < size - 1.0 - margin;
+  };
+  if (!inside(first.x, in.width) || !inside(last.x, in.width) || !inside(first.y, in.height) ||
+      !inside(last.y, in.height) || colours.size() > most) {
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      colours[i] = at(from + static_cast<double>(i) / steps * (to - from), level);
+    }
+    return;
+  }
+  const auto counted = [](double number) { return static_cast<std::int64_t>(number * fraction); };
+  std::int64_t x = counted(first.x);
+  std::int64_t y = counted(first.y);
+  const std::int64_t over = counted(step.x);
+  const std::int64_t down = counted(step.y);
+  for (Rgb& colour : colours) {
+    const auto x0 = static_cast<std::size_t>(x >> 32U);
+    const auto y0 = static_cast<std::size_t>(y >> 32U);
+    colour = in.between({x0, x0 + 1, y0, y0 + 1, static_cast<std::uint32_t>(x >> 24U) % whole,
+                         static_cast<std::uint32_t>(y >> 24U) % whole});
+    x += over;
+    y += down;
+  }
+}
+
+Rgb Picture::Level::between(const Four& at) const {
+  const std::uint8_t* const above = pixels.data() + 3 * at.top * width;
+  const std::uint8_t* const below = pixels.data() + 3 * at.bottom * width;
+  // All channels at a time: mixed along a row each takes 16 bits, mixed across rows 24.
+  const auto along = [&](const std::uint8_t* row) {
+    return spread(row + 3 * at.left) * (whole - at.right_share) + spread(row + 3 * at.right) * at.right_share;
+  };
+  const std::uint64_t high = along(above);
+  const std::uint64_t low = along(below);
+  constexpr std::uint64_t outer = 0xffff0000ffffU;  // red and blue
+  const auto across = [&](std::uint64_t up, std::uint64_t down, std::uint64_t rounding) {
+    return up * (whole - at.low_share) + down * at.low_share + rounding;
+  };
+  constexpr std::uint64_t half = std::uint64_t{whole} * whole / 2;
+  const std::uint64_t red_blue = across(high & outer, low & outer, half | half << 32U);
+  const std::uint64_t green = across(high >> 16U & 0xffffU, low >> 16U & 0xffffU, half);
+  return {static_cast<std::uint8_t>(red_blue >> 16U), static_cast<std::uint8_t>(green >> 16U),
+          static_cast<std::uint8_t>(red_blue >> 48U)};
+}
 
 std::optional<Picture> unpack_picture(std::string_view bytes) {
   return bytes.starts_with("\xff\xd8") ? unpack_jpeg(bytes) : unpack_png(bytes);

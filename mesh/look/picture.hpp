@@ -41,14 +41,17 @@ class Picture {
   [[nodiscard]] unsigned level_for(double pixels_per_dot) const;
 
  private:
+  /// Pixels in two columns and two rows, and the shares of 256ths that the right and the lower ones have.
+  struct Four {
+    std::size_t left, right, top, bottom;
+    std::uint32_t right_share, low_share;
+  };
   struct Level {
     std::uint32_t width;
     std::uint32_t height;
     std::vector<std::uint8_t> pixels;
 
-    /// The colour between four pixels, by shares of 256ths that the right and the lower ones have.
-    [[nodiscard]] Rgb between(std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1,
-                              std::uint32_t right_share, std::uint32_t low_share) const;
+    [[nodiscard]] Rgb between(const Four& at) const;
   };
   std::vector<Level> levels_;
 };

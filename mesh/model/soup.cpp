@@ -32,56 +32,12 @@ const Row& row(FileFormat format) {
   return *std::find_if(formats.begin(), formats.end(), [&](const Row& r) { return r.format == format; });
 }
 
-}  // namespace
-
-std::string_view format_name(FileFormat format) {
-  return row(format).name;
-}
-
-std::vector<std::string> format_names() {
-  std::vector<std::string> names;
-  for (const Row& r : formats) {
-    if (names.empty() || names.back() != r.name) {
-      names.emplace_back(r.name);
-    }
-  }
-  return names;
-}
-
-std::uint32_t first_point_number(FileFormat format) {
-  return row(format).first_point;
-}
-
-bool repeats_points(FileFormat format) {
-  return row(format).repeats_points;
-}
-
-namespace {
-
 struct Unit {
   double mm;
   std::string_view name;
 };
 constexpr std::array units{Unit{0.001, "micrometres"}, Unit{1.0, "millimetres"}, Unit{10.0, "centimetres"},
                            Unit{1000.0, "metres"},     Unit{25.4, "inches"},     Unit{304.8, "feet"}};
-
-}  // namespace
-
-const char* axis_name(Axis axis) {
-  constexpr std::array names{"x", "y", "z"};
-  return names[static_cast<std::size_t>(axis)];
-}
-
-std::string unit_names(double mm_per_unit) {
-  for (const Unit& unit : units) {
-    if (unit.mm == mm_per_unit) {
-      return std::string(unit.name);
-    }
-  }
-  return fmt::format("units of {:g} mm", mm_per_unit);
-}
-
-namespace {
 
 /// In the order of the enumeration, so that a kind is its index.
 constexpr std::array names_of_kinds{
@@ -120,6 +76,42 @@ constexpr std::array names_of_kinds{
 static_assert(names_of_kinds.size() == static_cast<std::size_t>(RepairKind::narrow_faces) + 1);
 
 }  // namespace
+
+std::string_view format_name(FileFormat format) {
+  return row(format).name;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Row& r : formats) {
+    if (names.empty() || names.back() != r.name) {
+      names.emplace_back(r.name);
+    }
+  }
+  return names;
+}
+
+std::uint32_t first_point_number(FileFormat format) {
+  return row(format).first_point;
+}
+
+bool repeats_points(FileFormat format) {
+  return row(format).repeats_points;
+}
+
+const char* axis_name(Axis axis) {
+  constexpr std::array names{"x", "y", "z"};
+  return names[static_cast<std::size_t>(axis)];
+}
+
+std::string unit_names(double mm_per_unit) {
+  for (const Unit& unit : units) {
+    if (unit.mm == mm_per_unit) {
+      return std::string(unit.name);
+    }
+  }
+  return fmt::format("units of {:g} mm", mm_per_unit);
+}
 
 std::string_view name(RepairKind kind) {
   return names_of_kinds[static_cast<std::size_t>(kind)];

@@ -135,8 +135,6 @@ class RepairReport {
   std::vector<Repair> entries_;
 };
 
-// What a model file says, as it says it: points and polygons that need not fit together.
-
 /// Diffuse colour, each channel in [0, 1].
 using Colour = std::array<double, 3>;
 

@@ -123,26 +123,16 @@ void Surface::measure() {
 }
 
 void Surface::find_components() {
-  components_.assign(face_count(), ComponentId());
-  std::vector<FaceId> stack;
-  for (const FaceId start : ids<FaceId>(face_count())) {
-    if (components_[start.value()].valid()) {
-      continue;
+  DisjointSets sets(face_count());
+  for (const auto& [c, d] : edges_) {
+    if (d.valid()) {
+      sets.join(face_of(c).value(), face_of(d).value());
     }
-    const ComponentId id(component_count_++);
-    components_[start.value()] = id;
-    stack.push_back(start);
-    while (!stack.empty()) {
-      const FaceId f = stack.back();
-      stack.pop_back();
-      for (unsigned k = 0; k < 3; ++k) {
-        const FaceId g = neighbor(corner(f, k));
-        if (g.valid() && !components_[g.value()].valid()) {
-          components_[g.value()] = id;
-          stack.push_back(g);
-        }
-      }
-    }
+  }
+  components_.resize(face_count());
+  for (const FaceId f : ids<FaceId>(face_count())) {
+    const FaceId first(sets.find(f.value()));
+    components_[f.value()] = first == f ? ComponentId(component_count_++) : components_[first.value()];
   }
 }
 
@@ -257,18 +247,6 @@ void check_fans(std::size_t point_count, Faces faces, const std::vector<Side>& s
   }
 }
 
-}  // namespace
-
-void Surface::check(std::span<const Vec3> points, Faces faces) {
-  check_points(points);
-  check_corners(points.size(), faces);
-  const std::vector<Side> sides = sorted_sides(faces);
-  check_edges(sides);
-  check_fans(points.size(), faces, sides);
-}
-
-namespace {
-
 /// Of fewer faces than one in so many a table of all vertices isn't worth its time.
 constexpr std::size_t few = 16;
 
@@ -293,19 +271,6 @@ Surface numbered(const Surface& surface, const std::vector<FaceId>& faces, Numbe
   return {std::move(points), std::move(corners)};
 }
 
-}  // namespace
-
-Surface faces_alone(const Surface& surface, const std::vector<FaceId>& faces) {
-  if (faces.size() >= surface.face_count() / few) {
-    IdVector<VertexId, VertexId> number(surface.vertex_count());
-    return numbered(surface, faces, number);
-  }
-  std::map<VertexId, VertexId> number;
-  return numbered(surface, faces, number);
-}
-
-namespace {
-
 std::vector<CornerId> border_from(const Surface& surface, CornerId first) {
   std::vector<CornerId> sides;
   CornerId c = first;
@@ -328,6 +293,23 @@ Vec3 end_of(const Surface& surface, CornerId side) {
 }
 
 }  // namespace
+
+void Surface::check(std::span<const Vec3> points, Faces faces) {
+  check_points(points);
+  check_corners(points.size(), faces);
+  const std::vector<Side> sides = sorted_sides(faces);
+  check_edges(sides);
+  check_fans(points.size(), faces, sides);
+}
+
+Surface faces_alone(const Surface& surface, const std::vector<FaceId>& faces) {
+  if (faces.size() >= surface.face_count() / few) {
+    IdVector<VertexId, VertexId> number(surface.vertex_count());
+    return numbered(surface, faces, number);
+  }
+  std::map<VertexId, VertexId> number;
+  return numbered(surface, faces, number);
+}
 
 std::vector<Opening> flat_openings(const Surface& surface, double flat_mm) {
   std::vector<Opening> openings;

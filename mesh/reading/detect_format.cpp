@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "base/encodings.hpp"
 #include "base/text.hpp"
 #include "mesh/reading/text_scanner.hpp"
 #include "mesh/reading/zip_archive.hpp"
@@ -150,14 +151,6 @@ std::string_view words(Way way) {
 /// As far as we look for telling words.
 constexpr std::size_t searched_bytes = 4096;
 
-std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4 && at + i < bytes.size(); ++i) {
-    value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-  }
-  return value;
-}
-
 bool contains_ignoring_case(std::string_view text, std::string_view word) {
   for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
     if (equal_ignoring_case(text.substr(i, word.size()), word)) {
@@ -176,10 +169,10 @@ std::optional<Signature> archive(std::string_view bytes) {
 
 /// Formats whose signature is too short to be trusted without their length.
 std::optional<Signature> known_by_length(std::string_view bytes) {
-  if (bytes.starts_with("BM") && bytes.size() > 26 && little_endian(bytes, 2) == bytes.size()) {
+  if (bytes.starts_with("BM") && bytes.size() > 26 && little_endian(bytes.substr(2, 4)) == bytes.size()) {
     return Signature{{}, "a BMP picture"};
   }
-  if (bytes.starts_with("MM") && bytes.size() > 6 && little_endian(bytes, 2) == bytes.size()) {
+  if (bytes.starts_with("MM") && bytes.size() > 6 && little_endian(bytes.substr(2, 4)) == bytes.size()) {
     return Signature{{}, "a 3DS model", Way::blender, FileFormat::max3ds};
   }
   if (bytes.starts_with("RIFF") && bytes.size() > 12) {
@@ -249,41 +242,6 @@ std::string sentence_of(const Signature& known) {
   return way.empty() ? "is no mesh but " + std::string(known.what)
                      : fmt::format("is {}, which isn't read: {}", known.what, way);
 }
-
-}  // namespace
-
-std::string_view way_by_blender() {
-  return words(Way::blender);
-}
-
-std::optional<std::string> foreign_suffix(std::string_view suffix) {
-  const auto found = by_suffix(suffix);
-  return found ? std::optional(sentence_of(*found)) : std::nullopt;
-}
-
-std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix) {
-  const auto found = by_content(bytes);
-  if (!found) {
-    return std::nullopt;
-  }
-  const auto told = found->way == Way::by_suffix ? foreign_suffix(suffix) : std::nullopt;
-  return told ? told : sentence_of(*found);
-}
-
-std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix) {
-  const auto found = by_content(bytes);
-  if (!found) {
-    return std::nullopt;
-  }
-  return found->way == Way::by_suffix ? imported_format(suffix) : found->imported;
-}
-
-std::optional<FileFormat> imported_format(std::string_view suffix) {
-  const auto found = by_suffix(suffix);
-  return found ? found->imported : std::nullopt;
-}
-
-namespace {
 
 /// As far as bytes are looked at to tell text from binary data.
 constexpr std::size_t start_length = 1024;
@@ -380,6 +338,37 @@ FileFormat by_suffix(const Source& source, std::string_view file_name, bool text
 }
 
 }  // namespace
+
+std::string_view way_by_blender() {
+  return words(Way::blender);
+}
+
+std::optional<std::string> foreign_suffix(std::string_view suffix) {
+  const auto found = by_suffix(suffix);
+  return found ? std::optional(sentence_of(*found)) : std::nullopt;
+}
+
+std::optional<std::string> foreign_content(std::string_view bytes, std::string_view suffix) {
+  const auto found = by_content(bytes);
+  if (!found) {
+    return std::nullopt;
+  }
+  const auto told = found->way == Way::by_suffix ? foreign_suffix(suffix) : std::nullopt;
+  return told ? told : sentence_of(*found);
+}
+
+std::optional<FileFormat> imported_format(std::string_view bytes, std::string_view suffix) {
+  const auto found = by_content(bytes);
+  if (!found) {
+    return std::nullopt;
+  }
+  return found->way == Way::by_suffix ? imported_format(suffix) : found->imported;
+}
+
+std::optional<FileFormat> imported_format(std::string_view suffix) {
+  const auto found = by_suffix(suffix);
+  return found ? found->imported : std::nullopt;
+}
 
 bool is_off_keyword(std::string_view word) {
   if (!word.ends_with("OFF")) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/encodings.hpp"
 #include "mesh/model/soup.hpp"
 #include "mesh/reading/source.hpp"
 
@@ -22,11 +23,7 @@ inline constexpr std::size_t stl_facet_size = 50;
 
 /// The count in the header of at least stl_header_size bytes.
 [[nodiscard]] constexpr std::uint32_t stl_facet_count(std::string_view bytes) {
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    count |= std::uint32_t{static_cast<unsigned char>(bytes[stl_count_at + i])} << (8 * i);
-  }
-  return count;
+  return static_cast<std::uint32_t>(little_endian(bytes.substr(stl_count_at, 4)));
 }
 
 [[nodiscard]] constexpr std::uint64_t stl_file_size(std::uint64_t facets) {
@@ -50,8 +47,6 @@ inline constexpr std::size_t stl_facet_size = 50;
 
 /// What somebody can do with a file of such a format that can't be read.
 [[nodiscard]] std::string_view way_by_blender();
-
-// Which mesh format some bytes are, whatever the file is called.
 
 /// The format of the content; the suffix of the name decides only where the content could be several. PLY
 /// files are distinguished as far as ASCII and binary. Throws Error(unreadable_input) that says what the file

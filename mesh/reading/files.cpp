@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -55,41 +54,6 @@ void require_regular(const std::filesystem::path& file, const struct stat& statu
   }
 }
 
-}  // namespace
-
-std::string read_file(const std::filesystem::path& file) {
-  struct stat status {};
-  // Asked before opening, since opening a device can have effects; and again after, in case it was replaced.
-  if (::stat(file.c_str(), &status) != 0) {
-    refuse_errno(file, errno);
-  }
-  require_regular(file, status);
-  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  if (opened.number() < 0 || ::fstat(opened.number(), &status) != 0) {
-    refuse_errno(file, errno);
-  }
-  require_regular(file, status);
-  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
-  std::size_t filled = 0;
-  while (filled < bytes.size()) {
-    const ssize_t got = ::read(opened.number(), bytes.data() + filled, bytes.size() - filled);
-    if (got < 0 && errno == EINTR) {
-      continue;
-    }
-    if (got < 0) {
-      refuse_errno(file, errno);
-    }
-    if (got == 0) {
-      break;
-    }
-    filled += static_cast<std::size_t>(got);
-  }
-  bytes.resize(filled);
-  return bytes;
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 bool is_file(const fs::path& path) {
@@ -113,30 +77,6 @@ std::optional<fs::path> find_in_any_case(const fs::path& wanted) {
   return found;
 }
 
-}  // namespace
-
-std::optional<fs::path> find_beside(const fs::path& folder, std::string_view name) {
-  // Longer names than any file system has, and names with a zero byte, would only confuse it.
-  if (name.empty() || name.size() > 4096 || name.find('\0') != name.npos) {
-    return std::nullopt;
-  }
-  std::string slashes(name);
-  std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  for (const fs::path& tried : {folder / name, folder / slashes, folder / fs::path(slashes).filename()}) {
-    if (is_file(tried)) {
-      return tried;
-    }
-  }
-  for (const fs::path& tried : {folder / slashes, folder / fs::path(slashes).filename()}) {
-    if (const auto found = find_in_any_case(tried)) {
-      return found;
-    }
-  }
-  return std::nullopt;
-}
-
-namespace {
-
 /// "https", "file" and the like before a colon; drives of Windows, too.
 bool has_scheme(std::string_view address) {
   const std::size_t colon = address.find(':');
@@ -147,50 +87,6 @@ bool leads_out(const fs::path& relative) {
   const fs::path plain = relative.lexically_normal();
   return relative.is_absolute() || plain.empty() || *plain.begin() == "..";
 }
-
-}  // namespace
-
-bool lies_inside(const fs::path& folder, const fs::path& file) {
-  std::error_code error;
-  const fs::path home = fs::canonical(folder, error);
-  const fs::path real = error ? fs::path() : fs::canonical(file, error);
-  return !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
-}
-
-FoundInside find_inside(const fs::path& folder, std::string_view address) {
-  // Longer names than any file system has, and names with a zero byte, would only confuse it.
-  constexpr std::size_t longest = 4096;
-  if (has_scheme(address)) {
-    return {{}, "lies elsewhere: nothing is fetched, put the file beside the model and name it there"};
-  }
-  if (folder.empty()) {
-    return {{}, "can't be found: nothing lies beside standard input"};
-  }
-  const std::string resolved = from_percent(address);
-  std::string slashes = resolved;
-  std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  bool outside = false;
-  for (const std::string& name : {std::string(address), resolved, slashes}) {
-    if (name.empty() || name.size() > longest || name.find('\0') != name.npos) {
-      continue;
-    }
-    std::error_code error;
-    const fs::path file = folder / name;
-    if (leads_out(name)) {
-      outside = true;
-    } else if (fs::is_regular_file(file, error)) {
-      if (lies_inside(folder, file)) {
-        return {file, {}};
-      }
-      outside = true;
-    }
-  }
-  return {
-      {},
-      outside ? "lies outside the model's folder, where nothing is read" : "was not found beside the model"};
-}
-
-namespace {
 
 using namespace std::string_view_literals;
 
@@ -246,6 +142,97 @@ bool jpeg_is_whole(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  struct stat status {};
+  // Asked before opening, since opening a device can have effects; and again after, in case it was replaced.
+  if (::stat(file.c_str(), &status) != 0) {
+    refuse_errno(file, errno);
+  }
+  require_regular(file, status);
+  const Descriptor opened(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (opened.number() < 0 || ::fstat(opened.number(), &status) != 0) {
+    refuse_errno(file, errno);
+  }
+  require_regular(file, status);
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t got = ::read(opened.number(), bytes.data() + filled, bytes.size() - filled);
+    if (got < 0 && errno == EINTR) {
+      continue;
+    }
+    if (got < 0) {
+      refuse_errno(file, errno);
+    }
+    if (got == 0) {
+      break;
+    }
+    filled += static_cast<std::size_t>(got);
+  }
+  bytes.resize(filled);
+  return bytes;
+}
+
+std::optional<fs::path> find_beside(const fs::path& folder, std::string_view name) {
+  // Longer names than any file system has, and names with a zero byte, would only confuse it.
+  if (name.empty() || name.size() > 4096 || name.find('\0') != name.npos) {
+    return std::nullopt;
+  }
+  std::string slashes(name);
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  for (const fs::path& tried : {folder / name, folder / slashes, folder / fs::path(slashes).filename()}) {
+    if (is_file(tried)) {
+      return tried;
+    }
+  }
+  for (const fs::path& tried : {folder / slashes, folder / fs::path(slashes).filename()}) {
+    if (const auto found = find_in_any_case(tried)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+bool lies_inside(const fs::path& folder, const fs::path& file) {
+  std::error_code error;
+  const fs::path home = fs::canonical(folder, error);
+  const fs::path real = error ? fs::path() : fs::canonical(file, error);
+  return !error && std::mismatch(home.begin(), home.end(), real.begin(), real.end()).first == home.end();
+}
+
+FoundInside find_inside(const fs::path& folder, std::string_view address) {
+  // Longer names than any file system has, and names with a zero byte, would only confuse it.
+  constexpr std::size_t longest = 4096;
+  if (has_scheme(address)) {
+    return {{}, "lies elsewhere: nothing is fetched, put the file beside the model and name it there"};
+  }
+  if (folder.empty()) {
+    return {{}, "can't be found: nothing lies beside standard input"};
+  }
+  const std::string resolved = from_percent(address);
+  std::string slashes = resolved;
+  std::replace(slashes.begin(), slashes.end(), '\\', '/');
+  bool outside = false;
+  for (const std::string& name : {std::string(address), resolved, slashes}) {
+    if (name.empty() || name.size() > longest || name.find('\0') != name.npos) {
+      continue;
+    }
+    std::error_code error;
+    const fs::path file = folder / name;
+    if (leads_out(name)) {
+      outside = true;
+    } else if (fs::is_regular_file(file, error)) {
+      if (lies_inside(folder, file)) {
+        return {file, {}};
+      }
+      outside = true;
+    }
+  }
+  return {
+      {},
+      outside ? "lies outside the model's folder, where nothing is read" : "was not found beside the model"};
+}
 
 std::string picture_fault(std::string_view bytes) {
   if (bytes.empty()) {
@@ -317,9 +304,7 @@ void FacePaint::add(Soup& soup, std::optional<Colour> colour, std::uint32_t pict
     return;
   }
   if (colour) {
-    for (double& channel : *colour) {
-      channel = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
-    }
+    colour = in_range(*colour);
   }
   const auto [found, fresh] =
       number_.try_emplace({colour, picture}, static_cast<std::uint32_t>(number_.size()));
@@ -328,10 +313,6 @@ void FacePaint::add(Soup& soup, std::optional<Colour> colour, std::uint32_t pict
 }
 
 void FacePaint::finish(Soup& soup, const std::vector<PictureFinder::Found>& pictures) const {
-  if (number_.empty()) {
-    return;
-  }
-  soup.polygon_material.resize(soup.polygon_count(), Soup::none);
   soup.materials.resize(number_.size());
   for (const auto& [key, number] : number_) {
     Material& material = soup.materials[number];

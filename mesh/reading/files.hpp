@@ -85,10 +85,10 @@ class PictureFinder {
 
 class FacePaint {
  public:
-  /// Paint of the soup's last polygon. Channels outside [0, 1] are brought into it; NaN is 1. `picture` is an
+  /// Paint of the soup's last polygon. The colour is brought in_range(). `picture` is an
   /// index into what the file calls its pictures, or Soup::none.
   void add(Soup& soup, std::optional<Colour> colour, std::uint32_t picture);
-  /// Polygons after the last painted one have none. `pictures` are the files, empty for those that can't
+  /// `pictures` are the files, empty for those that can't
   /// be used.
   void finish(Soup& soup, const std::vector<PictureFinder::Found>& pictures) const;
 

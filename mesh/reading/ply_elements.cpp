@@ -166,14 +166,6 @@ void HeaderReader::read_comment() {
   }
 }
 
-}  // namespace
-
-PlyHeader read_ply_header(const Source& source) {
-  return HeaderReader(source).read();
-}
-
-namespace {
-
 struct KnownProperty {
   std::string_view name;
   bool is_list;
@@ -229,6 +221,10 @@ std::span<const KnownProperty> known_of(PlyKind kind) {
 }
 
 }  // namespace
+
+PlyHeader read_ply_header(const Source& source) {
+  return HeaderReader(source).read();
+}
 
 PlyRoles ply_roles(const PlyElement& element, PlyKind kind) {
   const std::span<const KnownProperty> known = known_of(kind);

@@ -16,8 +16,6 @@
 
 namespace ridgecraft::mesh {
 
-// The header of a PLY file (Greg Turk, "The PLY Polygon File Format", 1994): which elements follow, of what.
-
 enum class PlyEncoding { ascii, little_endian, big_endian };
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };

@@ -379,9 +379,6 @@ void PlyReader::texture_by_point() {
 void PlyReader::finish() {
   texture_by_point();
   colour_corners(soup_, colour_of_point_);
-  if (!soup_.corner_texture.empty()) {
-    soup_.corner_texture.resize(soup_.corner_point.size(), Soup::none);
-  }
   soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
   std::vector<PictureFinder::Found> pictures;
   if (!source_.folder.empty()) {

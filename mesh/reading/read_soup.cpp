@@ -59,6 +59,7 @@ Soup parse_soup(std::string_view bytes, std::string_view file_name,
   try {
     const FileFormat format = detect_format(source, file_name);
     Soup soup = read_as(format, source);
+    complete(soup);
     if (suffix_contradicts(file_name, format)) {
       soup.remarks.add(RepairKind::content_is_other_format, 1,
                        fmt::format("the content is {}", format_name(format)));

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/encodings.hpp"
 #include "base/text.hpp"
 #include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/source.hpp"
@@ -18,11 +19,7 @@ namespace {
 constexpr std::uint32_t facets_per_check = 1U << 14U;
 
 float read_float(const char* at) {
-  std::uint32_t bits = 0;
-  for (unsigned i = 0; i < 4; ++i) {
-    bits |= std::uint32_t{static_cast<unsigned char>(at[i])} << (8 * i);
-  }
-  return std::bit_cast<float>(bits);
+  return std::bit_cast<float>(static_cast<std::uint32_t>(little_endian({at, 4})));
 }
 
 bool finite(Vec3 p) {

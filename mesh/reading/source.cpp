@@ -78,21 +78,30 @@ void add_triangle(Soup& soup, std::array<std::uint32_t, 3> points,
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corner_point.size()));
 }
 
-void finish_triangles(Soup& soup) {
-  if (!soup.corner_texture.empty()) {
-    soup.corner_texture.resize(soup.corner_point.size(), Soup::none);
-  }
+void complete(Soup& soup) {
+  const auto fill = [](std::vector<std::uint32_t>& numbers, std::size_t count) {
+    numbers.resize(numbers.empty() ? 0 : count, Soup::none);
+  };
+  fill(soup.corner_texture, soup.corner_point.size());
+  fill(soup.corner_colour, soup.corner_point.size());
+  fill(soup.polygon_material, soup.polygon_count());
   if (std::all_of(soup.objects.begin(), soup.objects.end(),
                   [](const auto& object) { return object.second.empty(); })) {
     soup.objects.clear();
   }
 }
 
+Colour in_range(Colour colour) {
+  for (double& channel : colour) {
+    channel = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
+  }
+  return colour;
+}
+
 std::uint32_t packed_colour(const Colour& colour) {
   std::uint32_t packed = 0;
-  for (const double channel : colour) {
-    const double share = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
-    packed = packed << 8U | static_cast<std::uint32_t>(std::lround(255.0 * share));
+  for (const double channel : in_range(colour)) {
+    packed = packed << 8U | static_cast<std::uint32_t>(std::lround(255.0 * channel));
   }
   return packed;
 }
@@ -110,12 +119,6 @@ void colour_corners(Soup& soup, const std::vector<std::uint32_t>& of_point) {
 void colour_last_triangle(Soup& soup, const std::array<std::uint32_t, 3>& colours) {
   soup.corner_colour.resize(soup.corner_point.size() - colours.size(), Soup::none);
   soup.corner_colour.insert(soup.corner_colour.end(), colours.begin(), colours.end());
-}
-
-void finish_corner_colours(Soup& soup) {
-  if (!soup.corner_colour.empty()) {
-    soup.corner_colour.resize(soup.corner_point.size(), Soup::none);
-  }
 }
 
 void MaterialTable::finish(Material& material, std::optional<ColourBytes> own, std::uint32_t number) {

@@ -21,8 +21,6 @@
 
 namespace ridgecraft::mesh {
 
-// What the readers of all formats are given, how they refuse it, and how they count what they ignore.
-
 /// A texture coordinate beyond this many repetitions of the picture is taken for a mistake.
 inline constexpr double largest_texture_coordinate = 1e4;
 /// More corners of faces than this are refused (2^31): indices of corners are 32 bits wide.
@@ -95,9 +93,9 @@ void check_repetitions(const Source& source, std::uint64_t held, std::uint64_t p
 void add_triangle(Soup& soup, std::array<std::uint32_t, 3> points,
                   const std::optional<std::array<std::uint32_t, 3>>& texture);
 
-/// What a soup of triangles and names lacks at the end: texture corners of the last faces; names, where none
+/// What a soup lacks at the end: texture corners, colours and materials of the last faces; names, where none
 /// says anything, go.
-void finish_triangles(Soup& soup);
+void complete(Soup& soup);
 
 // Where a file puts an object: turned, scaled, sheared, mirrored and moved.
 
@@ -129,7 +127,10 @@ struct Affine {
 
 // Colours that a file gives point by point (PLY, OFF) or corner by corner (glTF, 3MF).
 
-/// 0xRRGGBB. Channels outside [0, 1] are brought into it; NaN is 1.
+/// Channels outside [0, 1] are brought into it; NaN is 1.
+[[nodiscard]] Colour in_range(Colour colour);
+
+/// 0xRRGGBB of the colour in_range().
 [[nodiscard]] std::uint32_t packed_colour(const Colour& colour);
 
 /// Each corner takes the colour of its point. `of_point` holds one for each point, or is empty, which changes
@@ -138,9 +139,6 @@ void colour_corners(Soup& soup, const std::vector<std::uint32_t>& of_point);
 
 /// The last three corners have these colours; corners before that have none stay so.
 void colour_last_triangle(Soup& soup, const std::array<std::uint32_t, 3>& colours);
-
-/// Corners after the last coloured one have none.
-void finish_corner_colours(Soup& soup);
 
 // Materials of formats whose faces may have a colour of their own besides: one for each pair that is
 // different.
@@ -169,13 +167,6 @@ class MaterialTable {
     }
     soup.polygon_material.resize(soup.polygon_count() - 1, Soup::none);
     soup.polygon_material.push_back(found->second);
-  }
-
-  /// Polygons after the last painted one have none.
-  void finish(Soup& soup) const {
-    if (!number_.empty()) {
-      soup.polygon_material.resize(soup.polygon_count(), Soup::none);
-    }
   }
 
  private:

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include "base/encodings.hpp"
 #include "base/text.hpp"
 
 namespace ridgecraft::mesh {
@@ -36,11 +37,7 @@ constexpr std::uint64_t most_unpacked = std::uint64_t{1} << 30U;
 
 /// Little-endian; the caller has looked that the bytes are there.
 std::uint64_t number_at(std::string_view bytes, std::size_t at, std::size_t size) {
-  std::uint64_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    value |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-  }
-  return value;
+  return little_endian(bytes.substr(at, size));
 }
 
 std::string plain_name(std::string_view name) {

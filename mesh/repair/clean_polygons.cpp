@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
@@ -59,25 +58,23 @@ std::vector<WallEdge> wall_edges(const PolygonList& list, const std::vector<Wall
   }
   const std::vector<WallSide> ordered = in_edge_order(std::span<const WallSide>(sides));
   std::vector<WallEdge> edges;
-  for (std::size_t i = 0; i < ordered.size();) {
+  for_each_edge(ordered, [&](std::size_t first, std::size_t last) {
     WallEdge edge;
     std::ptrdiff_t balance = 0;
-    std::size_t j = i;
-    for (; j < ordered.size() && ordered[j].low == ordered[i].low && ordered[j].high == ordered[i].high;
-         ++j) {
-      if (ordered[j].pair == no_pair) {
+    for (std::size_t i = first; i < last; ++i) {
+      const WallSide& side = ordered[i];
+      if (side.pair == no_pair) {
         ++edge.others;
-        balance += ordered[j].forward ? 1 : -1;
-      } else if (std::find(edge.pairs.begin(), edge.pairs.end(), ordered[j].pair) == edge.pairs.end()) {
-        edge.pairs.push_back(ordered[j].pair);
+        balance += side.forward ? 1 : -1;
+      } else if (std::find(edge.pairs.begin(), edge.pairs.end(), side.pair) == edge.pairs.end()) {
+        edge.pairs.push_back(side.pair);
       }
     }
     edge.balanced = balance == 0;
     if (!edge.pairs.empty()) {
       edges.push_back(std::move(edge));
     }
-    i = j;
-  }
+  });
   return edges;
 }
 
@@ -149,10 +146,6 @@ std::vector<WallPair> walls_between_solids(const PolygonList& list, const std::v
 }
 
 constexpr std::uint32_t no_texture = Soup::none;
-
-std::string first_detail(std::uint32_t polygon) {
-  return "first: polygon " + std::to_string(std::uint64_t{polygon} + 1);
-}
 
 std::size_t different_points(std::vector<std::uint32_t> corners) {
   std::sort(corners.begin(), corners.end());
@@ -397,11 +390,11 @@ void drop_repeated_corners(PolygonList& list, RepairReport& report) {
       points.push_back(list.corners[c]);
     }
     if (different_points(points) < 3) {
-      report.add(RepairKind::polygons_dropped, 1, first_detail(list.origin[i]));
+      report.add(RepairKind::polygons_dropped, 1, first_polygon(list.origin[i]));
       continue;
     }
     report.add(RepairKind::polygon_corner_dropped, list.first[i + 1] - list.first[i] - kept.size(),
-               first_detail(list.origin[i]));
+               first_polygon(list.origin[i]));
     keep_polygon(clean, list, i, kept);
   }
   list = std::move(clean);
@@ -418,7 +411,7 @@ void drop_duplicates(PolygonList& list, RepairReport& report) {
   std::vector<bool> wall(list.size(), false);
   for (const WallPair& pair : pairs.empty() ? pairs : walls_between_solids(list, pairs)) {
     wall[pair[0]] = wall[pair[1]] = true;
-    report.add(RepairKind::inner_walls_dropped, 1, first_detail(list.origin[pair[0]]));
+    report.add(RepairKind::inner_walls_dropped, 1, first_polygon(list.origin[pair[0]]));
   }
   std::vector<bool> keep(list.size(), true);
   std::optional<EdgeCounts> counts;
@@ -433,7 +426,7 @@ void drop_duplicates(PolygonList& list, RepairReport& report) {
       continue;
     }
     if (!keep[i]) {
-      report.add(RepairKind::duplicate_faces_dropped, 1, first_detail(list.origin[i]));
+      report.add(RepairKind::duplicate_faces_dropped, 1, first_polygon(list.origin[i]));
       continue;
     }
     std::vector<std::uint32_t> corners;

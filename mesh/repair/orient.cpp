@@ -2,7 +2,6 @@
 #include "mesh/repair/orient.hpp"
 
 #include <algorithm>
-#include <string>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 
@@ -14,10 +13,6 @@ namespace ridgecraft::mesh {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-
-std::string first_detail(std::uint32_t polygon) {
-  return "first: at polygon " + std::to_string(std::uint64_t{polygon} + 1);
-}
 
 /// Do all edges have one use, or two in opposite directions?
 bool edges_are_sound(const std::vector<EdgeUse>& uses) {
@@ -125,7 +120,7 @@ void remark_cuts(const TriangleList& before, const TriangleList& after, const st
   std::sort(cut.begin(), cut.end());
   cut.erase(std::unique(cut.begin(), cut.end()), cut.end());
   for (const std::uint32_t t : cut) {
-    report.add(RepairKind::cut_open, 1, first_detail(after.triangles[t].origin));
+    report.add(RepairKind::cut_open, 1, first_at_polygon(after.triangles[t].origin));
   }
   for (std::size_t i = 0; i < after.triangles.size(); ++i) {
     const Triangle& now = after.triangles[i];
@@ -134,7 +129,7 @@ void remark_cuts(const TriangleList& before, const TriangleList& after, const st
       const std::uint32_t old = was.points[now.turned == was.turned || k == 0 ? k : 3 - k];
       if (now.points[k] != old && !explained[old]) {
         explained[old] = true;
-        report.add(RepairKind::vertices_split, 1, first_detail(now.origin));
+        report.add(RepairKind::vertices_split, 1, first_at_polygon(now.origin));
       }
     }
   }

@@ -167,68 +167,6 @@ void part_fans(TriangleList& list, const std::vector<bool>& crowded, DisjointSet
   }
 }
 
-std::string where_crowded(std::uint32_t polygon) {
-  return "first: at polygon " + std::to_string(std::uint64_t{polygon} + 1);
-}
-
-}  // namespace
-
-void pair_faces(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& report) {
-  bool any = false;
-  std::vector<bool> crowded(list.points.size(), false);
-  DisjointSets components(list.triangles.size());
-  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
-    if (j - i > 2) {
-      any = crowded[uses[i].low] = crowded[uses[i].high] = true;
-    } else if (j - i == 2) {
-      components.join(uses[i].triangle, uses[i + 1].triangle);
-    }
-  });
-  if (!any) {
-    return;
-  }
-  DisjointSets fans(3 * list.triangles.size());
-  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
-    if (j - i == 2) {
-      hold_together(list, uses[i], uses[i + 1], fans);
-    } else if (j - i > 2) {
-      const std::vector<Blade> blades = blades_at(list, uses, i, j, components);
-      std::vector<UsePair> pairs;
-      if (!two_of_each_component(blades)) {
-        pairs = around_solids(blades);
-      }
-      if (pairs.empty()) {
-        pairs = by_component_and_turn(blades);
-      }
-      for (const UsePair& pair : pairs) {
-        hold_together(list, uses[pair[0]], uses[pair[1]], fans);
-      }
-    }
-  });
-  const std::vector<EdgeUse> before = std::move(uses);
-  part_fans(list, crowded, fans);
-  uses = edge_uses(list.triangles);
-  // An edge is cut where a triangle at it is alone now, or where it is crowded still.
-  std::vector<std::uint8_t> companions(3 * list.triangles.size(), 0);
-  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
-    for (std::size_t k = i; k < j; ++k) {
-      companions[3 * uses[k].triangle + uses[k].side] =
-          static_cast<std::uint8_t>(std::min<std::size_t>(j - i, 3));
-    }
-  });
-  for_each_edge(before, [&](std::size_t i, std::size_t j) {
-    if (j - i > 2) {
-      const bool paired = std::all_of(
-          before.begin() + static_cast<std::ptrdiff_t>(i), before.begin() + static_cast<std::ptrdiff_t>(j),
-          [&](const EdgeUse& use) { return companions[3 * use.triangle + use.side] == 2; });
-      report.add(paired ? RepairKind::edges_paired : RepairKind::edges_split, 1,
-                 where_crowded(list.triangles[before[i].triangle].origin));
-    }
-  });
-}
-
-namespace {
-
 /// A volume below this share of area times diagonal is none: its sign tells nothing.
 constexpr double no_volume = 1e-9;
 /// An open surface whose faces' vector areas add up to less than this share of its area is as good as closed:
@@ -426,7 +364,7 @@ void remark_turned(const TriangleList& list, const Component& c, RepairReport& r
   if (turned.empty()) {
     return;
   }
-  const std::string detail = "first: polygon " + std::to_string(std::uint64_t{turned.front()} + 1);
+  const std::string detail = first_polygon(turned.front());
   if (turned.size() == told) {
     report.add(RepairKind::components_turned, 1, detail);
     return;
@@ -437,6 +375,60 @@ void remark_turned(const TriangleList& list, const Component& c, RepairReport& r
 }
 
 }  // namespace
+
+void pair_faces(TriangleList& list, std::vector<EdgeUse>& uses, RepairReport& report) {
+  bool any = false;
+  std::vector<bool> crowded(list.points.size(), false);
+  DisjointSets components(list.triangles.size());
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    if (j - i > 2) {
+      any = crowded[uses[i].low] = crowded[uses[i].high] = true;
+    } else if (j - i == 2) {
+      components.join(uses[i].triangle, uses[i + 1].triangle);
+    }
+  });
+  if (!any) {
+    return;
+  }
+  DisjointSets fans(3 * list.triangles.size());
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    if (j - i == 2) {
+      hold_together(list, uses[i], uses[i + 1], fans);
+    } else if (j - i > 2) {
+      const std::vector<Blade> blades = blades_at(list, uses, i, j, components);
+      std::vector<UsePair> pairs;
+      if (!two_of_each_component(blades)) {
+        pairs = around_solids(blades);
+      }
+      if (pairs.empty()) {
+        pairs = by_component_and_turn(blades);
+      }
+      for (const UsePair& pair : pairs) {
+        hold_together(list, uses[pair[0]], uses[pair[1]], fans);
+      }
+    }
+  });
+  const std::vector<EdgeUse> before = std::move(uses);
+  part_fans(list, crowded, fans);
+  uses = edge_uses(list.triangles);
+  // An edge is cut where a triangle at it is alone now, or where it is crowded still.
+  std::vector<std::uint8_t> companions(3 * list.triangles.size(), 0);
+  for_each_edge(uses, [&](std::size_t i, std::size_t j) {
+    for (std::size_t k = i; k < j; ++k) {
+      companions[3 * uses[k].triangle + uses[k].side] =
+          static_cast<std::uint8_t>(std::min<std::size_t>(j - i, 3));
+    }
+  });
+  for_each_edge(before, [&](std::size_t i, std::size_t j) {
+    if (j - i > 2) {
+      const bool paired = std::all_of(
+          before.begin() + static_cast<std::ptrdiff_t>(i), before.begin() + static_cast<std::ptrdiff_t>(j),
+          [&](const EdgeUse& use) { return companions[3 * use.triangle + use.side] == 2; });
+      report.add(paired ? RepairKind::edges_paired : RepairKind::edges_split, 1,
+                 first_at_polygon(list.triangles[before[i].triangle].origin));
+    }
+  });
+}
 
 void turn_outwards(TriangleList& list, const std::vector<EdgeUse>& uses, RepairReport& report,
                    const Context& context) {

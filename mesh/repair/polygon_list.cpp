@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -35,10 +34,6 @@ namespace {
 constexpr double crossed_fold = 150.0 * std::numbers::pi / 180.0;
 /// Bends that differ by less are the same; then the better triangles decide.
 constexpr double same_fold = 1.0 * std::numbers::pi / 180.0;
-
-std::string first_polygon(std::uint32_t polygon) {
-  return "first: polygon " + std::to_string(std::uint64_t{polygon} + 1);
-}
 
 /// Twice the vector area (Newell): its direction is the mean normal, zero for what has no area or covers none
 /// in sum.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,14 @@ struct TriangleList {
   std::vector<Triangle> triangles;
 };
 
+/// Details of remarks: where it was first.
+[[nodiscard]] inline std::string first_polygon(std::uint32_t polygon) {
+  return "first: polygon " + std::to_string(std::uint64_t{polygon} + 1);
+}
+[[nodiscard]] inline std::string first_at_polygon(std::uint32_t polygon) {
+  return "first: at polygon " + std::to_string(std::uint64_t{polygon} + 1);
+}
+
 /// One use of an edge by a triangle: side k runs from corner k to corner k + 1.
 struct EdgeUse {
   std::uint32_t low;
@@ -63,9 +72,9 @@ struct EdgeUse {
 /// All sides, sorted by edge and then by triangle, so that the uses of one edge stand together. O(n).
 [[nodiscard]] std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles);
 
-/// Calls visit(first, last) for each run of uses of one edge.
-template <class Visit>
-void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
+/// Calls visit(first, last) for each run of uses of one edge, from `low` to `high`, that stand together.
+template <class Use, class Visit>
+void for_each_edge(const std::vector<Use>& uses, Visit visit) {
   for (std::size_t i = 0; i < uses.size();) {
     std::size_t j = i + 1;
     while (j < uses.size() && uses[j].low == uses[i].low && uses[j].high == uses[i].high) {
@@ -75,8 +84,6 @@ void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
     i = j;
   }
 }
-
-// Polygons become triangles. Private to mesh/.
 
 /// Splits every polygon along diagonals that lie inside it: quads along the one that bends them least (flat
 /// ones along the one that gives the better triangles), larger ones by constrained Delaunay in their mean

@@ -43,28 +43,6 @@ struct BorderPoints {
   std::vector<std::uint32_t> points;  ///< numbers in the list, in the order of the tree
 };
 
-}  // namespace
-
-std::size_t join_equal_points(PolygonList& list) {
-  std::vector<std::uint8_t> used(list.points.size(), 0);
-  for (const std::uint32_t c : list.corners) {
-    used[c] = 1;
-  }
-  const std::vector<std::uint32_t> stays = first_at_place(list.points, used);
-  std::size_t gone = 0;
-  for (std::uint32_t i = 0; i < stays.size(); ++i) {
-    gone += stays[i] != i ? 1U : 0U;
-  }
-  if (gone > 0) {
-    for (std::uint32_t& c : list.corners) {
-      c = stays[c];
-    }
-  }
-  return gone;
-}
-
-namespace {
-
 /// Companions of a point that one round looks at. Seams have one, corners of parts a few; more are joined in
 /// the next round, when these have become one.
 constexpr std::size_t most_companions = 16;
@@ -99,11 +77,7 @@ Border find_border(const PolygonList& list, double distance) {
   const std::vector<Side> edges = in_edge_order(std::span<const Side>(sides));
   Border border;
   border.reach.assign(list.points.size(), distance);
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i + 1;
-    while (j < edges.size() && edges[j].low == edges[i].low && edges[j].high == edges[i].high) {
-      ++j;
-    }
+  for_each_edge(edges, [&](std::size_t i, std::size_t j) {
     if (j - i == 1) {
       const double near = near_of_edge * length(list.points[edges[i].high] - list.points[edges[i].low]);
       for (const std::uint32_t p : {edges[i].low, edges[i].high}) {
@@ -111,8 +85,7 @@ Border find_border(const PolygonList& list, double distance) {
         border.reach[p] = std::min(border.reach[p], near);
       }
     }
-    i = j;
-  }
+  });
   std::sort(border.points.begin(), border.points.end());
   border.points.erase(std::unique(border.points.begin(), border.points.end()), border.points.end());
   return border;
@@ -230,35 +203,6 @@ class Clusters {
   std::vector<std::vector<std::uint32_t>> polygons_;  ///< each once
   std::unordered_set<std::uint64_t> touches_;         ///< asked only whether a key is there
 };
-
-}  // namespace
-
-std::size_t join_border_points(PolygonList& list, double distance, const Context& context) {
-  std::size_t gone = 0;
-  for (int round = 0; distance > 0.0 && round < most_rounds; ++round) {
-    const Pairs pairs = near_pairs(list, find_border(list, distance), context);
-    if (pairs.near.empty()) {
-      break;
-    }
-    Clusters clusters(list, pairs.near);
-    const std::size_t before_round = gone;
-    for (std::size_t i = 0; i < pairs.near.size(); ++i) {
-      if (i % 1024 == 0) {
-        context.check();
-      }
-      gone += clusters.join(pairs.near[i].a, pairs.near[i].b) ? 1U : 0U;
-    }
-    for (std::uint32_t& c : list.corners) {
-      c = clusters.find(c);
-    }
-    if (pairs.complete || gone == before_round) {
-      break;
-    }
-  }
-  return gone;
-}
-
-namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -405,6 +349,49 @@ class Pass {
 };
 
 }  // namespace
+
+std::size_t join_equal_points(PolygonList& list) {
+  std::vector<std::uint8_t> used(list.points.size(), 0);
+  for (const std::uint32_t c : list.corners) {
+    used[c] = 1;
+  }
+  const std::vector<std::uint32_t> stays = first_at_place(list.points, used);
+  std::size_t gone = 0;
+  for (std::uint32_t i = 0; i < stays.size(); ++i) {
+    gone += stays[i] != i ? 1U : 0U;
+  }
+  if (gone > 0) {
+    for (std::uint32_t& c : list.corners) {
+      c = stays[c];
+    }
+  }
+  return gone;
+}
+
+std::size_t join_border_points(PolygonList& list, double distance, const Context& context) {
+  std::size_t gone = 0;
+  for (int round = 0; distance > 0.0 && round < most_rounds; ++round) {
+    const Pairs pairs = near_pairs(list, find_border(list, distance), context);
+    if (pairs.near.empty()) {
+      break;
+    }
+    Clusters clusters(list, pairs.near);
+    const std::size_t before_round = gone;
+    for (std::size_t i = 0; i < pairs.near.size(); ++i) {
+      if (i % 1024 == 0) {
+        context.check();
+      }
+      gone += clusters.join(pairs.near[i].a, pairs.near[i].b) ? 1U : 0U;
+    }
+    for (std::uint32_t& c : list.corners) {
+      c = clusters.find(c);
+    }
+    if (pairs.complete || gone == before_round) {
+      break;
+    }
+  }
+  return gone;
+}
 
 std::size_t join_t_junctions(TriangleList& list, std::vector<EdgeUse>& uses, double distance,
                              const Context& context) {

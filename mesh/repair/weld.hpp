@@ -8,8 +8,6 @@
 
 namespace ridgecraft::mesh {
 
-// Points at one place become one point. Private to mesh/.
-
 /// A point lies on another one or on an edge only within this share of the shortest border edge at it: where
 /// one far-off point makes the diagonal large, a share of the diagonal is more than all the rest of the
 /// model.
@@ -23,8 +21,6 @@ std::size_t join_equal_points(PolygonList& list);
 /// has), nearest first, but never two corners of one polygon. Points farther apart than a tenth of the
 /// shortest border side at either of them stay apart, too. O(n log^2 n). Returns how many went.
 std::size_t join_border_points(PolygonList& list, double distance, const Context& context);
-
-// Corners that lie on a neighbour's side. Private to mesh/.
 
 /// Where border points lie within `distance` of a border edge, and another triangle's border edge runs along
 /// a part of it, the edge's triangle is divided at them, so that the seam closes. Returns how many points

@@ -59,6 +59,9 @@ class GltfObject {
 
  private:
   [[nodiscard]] const nlohmann::json* find(const char* key) const;
+  /// Refuses a value that isn't of this type.
+  [[nodiscard]] const nlohmann::json* find(const char* key, bool (nlohmann::json::*is_right)() const noexcept,
+                                           std::string_view type) const;
   [[nodiscard]] const nlohmann::json* list(const char* key) const;
   [[nodiscard]] std::string inside(const char* key) const;
   [[noreturn]] void refuse_value(const char* key, std::string_view wanted) const;

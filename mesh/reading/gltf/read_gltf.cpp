@@ -478,9 +478,6 @@ void GltfReader::add(std::array<std::uint32_t, 3> corners, std::uint32_t first_p
 }
 
 void GltfReader::finish() {
-  materials_.finish(soup_);
-  finish_corner_colours(soup_);
-  finish_triangles(soup_);
   if (soup_.polygon_count() == 0 && other_primitives_ > 0) {
     source_.refuse(ErrorKind::unusable_mesh, "has points or lines, but no faces that could be unfolded");
   }

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "base/encodings.hpp"
+
 namespace ridgecraft::mesh {
 namespace {
 
@@ -36,11 +38,7 @@ std::size_t size_of(Component type) {
 }
 
 std::uint32_t bits_at(const char* at, std::size_t size) {
-  std::uint32_t bits = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    bits |= std::uint32_t{static_cast<unsigned char>(at[i])} << (8 * i);
-  }
-  return bits;
+  return static_cast<std::uint32_t>(little_endian({at, size}));
 }
 
 double value_at(const char* at, Component type, bool normalized) {
@@ -158,63 +156,6 @@ void for_elements(GltfDocument& document, const GltfObject& accessor, const Head
   }
 }
 
-}  // namespace
-
-const GltfValues& GltfAccessors::values(std::uint64_t i, const GltfObject& user,
-                                        std::span<const std::size_t> components) {
-  const GltfObject accessor = document_.element("accessors", i, user);
-  const auto [found, fresh] = read_.try_emplace(i);
-  GltfValues& values = found->second;
-  if (fresh) {
-    const Header header = read_header(accessor);
-    // Each byte is part of one value at most, unless accessors overlap; sparse ones may leave out as many.
-    constexpr std::uint64_t spare = 1'000'000;
-    values_read_ += std::min(header.count, 2 * document_.held() + 2 * spare) * header.components;
-    if (values_read_ > document_.held() + spare) {
-      accessor.refuse("it has more values than the file could hold");
-    }
-    values.components = header.components;
-    values.numbers.assign(header.count * header.components, 0.0);
-    for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
-      for (std::size_t k = 0; k < header.components; ++k) {
-        values.numbers[at * header.components + k] =
-            value_at(bytes + k * size_of(header.type), header.type, header.normalized);
-      }
-    });
-    document_.source().context.check();
-  }
-  if (std::find(components.begin(), components.end(), values.components) == components.end()) {
-    accessor.refuse(fmt::format("its elements have {} numbers, but {} needs {}", values.components,
-                                user.place(), components.back()));
-  }
-  return values;
-}
-
-std::vector<std::uint32_t> GltfAccessors::indices(std::uint64_t i, const GltfObject& user,
-                                                  std::size_t limit) const {
-  const GltfObject accessor = document_.element("accessors", i, user);
-  const Header header = read_header(accessor);
-  if (header.components != 1 || (header.type != Component::uint8 && header.type != Component::uint16 &&
-                                 header.type != Component::uint32)) {
-    accessor.refuse("it holds no whole numbers from 0, as numbers of points are");
-  }
-  if (header.count > document_.held()) {
-    accessor.refuse("it has more values than the file could hold");
-  }
-  std::vector<std::uint32_t> indices(header.count, 0);
-  for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
-    indices[at] = bits_at(bytes, size_of(header.type));
-  });
-  const auto beyond =
-      std::find_if(indices.begin(), indices.end(), [&](std::uint32_t p) { return p >= limit; });
-  if (beyond != indices.end()) {
-    user.refuse(fmt::format("it names point {}, but its points are numbered 0 to {}", *beyond, limit - 1));
-  }
-  return indices;
-}
-
-namespace {
-
 /// Four by four numbers, column after column.
 Affine affine_of_matrix(const GltfObject& node, const std::vector<double>& m) {
   // Written by programs that count in floats.
@@ -290,40 +231,6 @@ std::vector<std::uint64_t> roots_of(const GltfDocument& document) {
   return root.size("scenes") > 0 ? root.element("scenes", 0).wholes("nodes") : all_roots(document);
 }
 
-}  // namespace
-
-GltfScene read_scene(const GltfDocument& document) {
-  GltfScene scene;
-  scene.places.resize(document.root().size("nodes"));
-  struct Open {
-    std::uint64_t node;
-    Affine parent;
-  };
-  std::vector<Open> open;
-  const auto push = [&](const std::vector<std::uint64_t>& nodes, const Affine& parent) {
-    std::for_each(nodes.rbegin(), nodes.rend(), [&](std::uint64_t node) { open.push_back({node, parent}); });
-  };
-  push(roots_of(document), {});
-  while (!open.empty()) {
-    const auto [number, parent] = open.back();
-    open.pop_back();
-    const GltfObject node = document.element("nodes", number, document.root());
-    if (scene.places[number]) {
-      node.refuse("it is in two other nodes, or in itself");
-    }
-    const Affine place = parent * place_in_parent(node);
-    scene.places[number] = place;
-    if (const auto mesh = node.whole("mesh")) {
-      scene.instances.push_back({number, *mesh, place, node.whole("skin")});
-    }
-    push(node.wholes("children"), place);
-    document.source().context.check();
-  }
-  return scene;
-}
-
-namespace {
-
 constexpr std::array<std::size_t, 1> three{3};
 constexpr std::array<std::size_t, 1> four{4};
 constexpr std::array<std::size_t, 1> sixteen{16};
@@ -396,6 +303,89 @@ void bend(std::vector<Vec3>& points, GltfAccessors& accessors, const GltfObject&
 }
 
 }  // namespace
+
+const GltfValues& GltfAccessors::values(std::uint64_t i, const GltfObject& user,
+                                        std::span<const std::size_t> components) {
+  const GltfObject accessor = document_.element("accessors", i, user);
+  const auto [found, fresh] = read_.try_emplace(i);
+  GltfValues& values = found->second;
+  if (fresh) {
+    const Header header = read_header(accessor);
+    // Each byte is part of one value at most, unless accessors overlap; sparse ones may leave out as many.
+    constexpr std::uint64_t spare = 1'000'000;
+    values_read_ += std::min(header.count, 2 * document_.held() + 2 * spare) * header.components;
+    if (values_read_ > document_.held() + spare) {
+      accessor.refuse("it has more values than the file could hold");
+    }
+    values.components = header.components;
+    values.numbers.assign(header.count * header.components, 0.0);
+    for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
+      for (std::size_t k = 0; k < header.components; ++k) {
+        values.numbers[at * header.components + k] =
+            value_at(bytes + k * size_of(header.type), header.type, header.normalized);
+      }
+    });
+    document_.source().context.check();
+  }
+  if (std::find(components.begin(), components.end(), values.components) == components.end()) {
+    accessor.refuse(fmt::format("its elements have {} numbers, but {} needs {}", values.components,
+                                user.place(), components.back()));
+  }
+  return values;
+}
+
+std::vector<std::uint32_t> GltfAccessors::indices(std::uint64_t i, const GltfObject& user,
+                                                  std::size_t limit) const {
+  const GltfObject accessor = document_.element("accessors", i, user);
+  const Header header = read_header(accessor);
+  if (header.components != 1 || (header.type != Component::uint8 && header.type != Component::uint16 &&
+                                 header.type != Component::uint32)) {
+    accessor.refuse("it holds no whole numbers from 0, as numbers of points are");
+  }
+  if (header.count > document_.held()) {
+    accessor.refuse("it has more values than the file could hold");
+  }
+  std::vector<std::uint32_t> indices(header.count, 0);
+  for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
+    indices[at] = bits_at(bytes, size_of(header.type));
+  });
+  const auto beyond =
+      std::find_if(indices.begin(), indices.end(), [&](std::uint32_t p) { return p >= limit; });
+  if (beyond != indices.end()) {
+    user.refuse(fmt::format("it names point {}, but its points are numbered 0 to {}", *beyond, limit - 1));
+  }
+  return indices;
+}
+
+GltfScene read_scene(const GltfDocument& document) {
+  GltfScene scene;
+  scene.places.resize(document.root().size("nodes"));
+  struct Open {
+    std::uint64_t node;
+    Affine parent;
+  };
+  std::vector<Open> open;
+  const auto push = [&](const std::vector<std::uint64_t>& nodes, const Affine& parent) {
+    std::for_each(nodes.rbegin(), nodes.rend(), [&](std::uint64_t node) { open.push_back({node, parent}); });
+  };
+  push(roots_of(document), {});
+  while (!open.empty()) {
+    const auto [number, parent] = open.back();
+    open.pop_back();
+    const GltfObject node = document.element("nodes", number, document.root());
+    if (scene.places[number]) {
+      node.refuse("it is in two other nodes, or in itself");
+    }
+    const Affine place = parent * place_in_parent(node);
+    scene.places[number] = place;
+    if (const auto mesh = node.whole("mesh")) {
+      scene.instances.push_back({number, *mesh, place, node.whole("skin")});
+    }
+    push(node.wholes("children"), place);
+    document.source().context.check();
+  }
+  return scene;
+}
 
 std::vector<double> resting_weights(const GltfObject& node, const GltfObject& mesh) {
   auto weights = node.numbers("weights");

@@ -143,35 +143,6 @@ std::string converse(Socket& socket, const Source& source) {
   }
 }
 
-}  // namespace
-
-std::string run_importer(FileFormat format, const Source& source) {
-  std::array<int, 2> ends{};
-  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    source.refuse(ErrorKind::unreadable_input,
-                  "can't be read: the system grants no connection to what reads it");
-  }
-  Socket here(ends[0]);
-  Socket there(ends[1]);
-  Process process(source.importer.string(), std::string(format_name(format)), there.number());
-  there.close();
-  if (!process.runs()) {
-    source.refuse(ErrorKind::unreadable_input,
-                  "can't be read: " + source.importer.string() + " can't be started");
-  }
-  std::string stream = converse(here, source);
-  const int status = process.wait();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    const bool too_long = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
-    source.refuse(ErrorKind::unreadable_input,
-                  fmt::format("can't be read: what reads {} files {} over it; {}", format_name(format),
-                              too_long ? "took too long" : "broke down", way_by_blender()));
-  }
-  return stream;
-}
-
-namespace {
-
 /// Longer reasons than this don't help.
 constexpr std::size_t longest_reason = 160;
 
@@ -269,15 +240,10 @@ class StreamReader {
       material.name = printable(text());
       const bool has_colour = index() != 0;
       Colour colour{};
-      bool good = true;
-      for (double& channel : colour) {
-        channel = number();
-        good = good && channel >= 0.0 && channel <= 1.0;
-        channel = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
-      }
+      std::generate(colour.begin(), colour.end(), [this] { return number(); });
       if (has_colour) {
-        soup_.remarks.add(RepairKind::material_value_corrected, good ? 0 : 1);
-        material.colour = colour;
+        material.colour = in_range(colour);
+        soup_.remarks.add(RepairKind::material_value_corrected, *material.colour == colour ? 0 : 1);
       }
       read_picture(material);
       soup_.materials.push_back(std::move(material));
@@ -354,7 +320,6 @@ class StreamReader {
     soup_.polygon_material = indices(polygons, soup_.materials.size(), true);
     drop_bad_places();
     check_corner_count(source_, soup_);
-    finish_triangles(soup_);
   }
 
   std::vector<std::uint32_t> indices(std::uint64_t how_many, std::size_t below, bool may_be_none) {
@@ -395,6 +360,31 @@ class StreamReader {
 };
 
 }  // namespace
+
+std::string run_importer(FileFormat format, const Source& source) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    source.refuse(ErrorKind::unreadable_input,
+                  "can't be read: the system grants no connection to what reads it");
+  }
+  Socket here(ends[0]);
+  Socket there(ends[1]);
+  Process process(source.importer.string(), std::string(format_name(format)), there.number());
+  there.close();
+  if (!process.runs()) {
+    source.refuse(ErrorKind::unreadable_input,
+                  "can't be read: " + source.importer.string() + " can't be started");
+  }
+  std::string stream = converse(here, source);
+  const int status = process.wait();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    const bool too_long = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+    source.refuse(ErrorKind::unreadable_input,
+                  fmt::format("can't be read: what reads {} files {} over it; {}", format_name(format),
+                              too_long ? "took too long" : "broke down", way_by_blender()));
+  }
+  return stream;
+}
 
 Soup read_stream(std::string_view stream, FileFormat format, const Source& source) {
   return StreamReader(stream, format, source).read();

@@ -16,8 +16,6 @@ namespace ridgecraft::mesh {
 /// out_of_time.
 [[nodiscard]] std::string run_importer(FileFormat format, const Source& source);
 
-// What ridgecraft-import found in a file, checked as if a stranger had sent it.
-
 /// Fills a soup of `format` from the bytes of a stream (stream.hpp). `source` is the file that it was made
 /// from: its name stands in messages, and pictures that the stream names lie in its folder. Throws
 /// unreadable_input for a refusal and for what is no whole stream, unusable_mesh for coordinates that aren't

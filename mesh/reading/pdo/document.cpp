@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "base/encodings.hpp"
 #include "base/text.hpp"
 #include "mesh/reading/source.hpp"
 
@@ -56,7 +57,6 @@ class PdoCursor {
 
  private:
   [[nodiscard]] std::string_view raw_string();
-  [[nodiscard]] std::uint64_t little_endian(std::size_t size);
 
   const Source& source_;
   std::size_t at_ = 0;
@@ -116,22 +116,12 @@ std::string_view PdoCursor::bytes(std::size_t size) {
   return found;
 }
 
-std::uint64_t PdoCursor::little_endian(std::size_t size) {
-  std::uint64_t value = 0;
-  std::uint32_t bits = 0;
-  for (const char c : bytes(size)) {
-    value |= std::uint64_t{static_cast<unsigned char>(c)} << bits;
-    bits += 8;
-  }
-  return value;
-}
-
 std::uint8_t PdoCursor::byte() {
-  return static_cast<std::uint8_t>(little_endian(1));
+  return static_cast<std::uint8_t>(bytes(1).front());
 }
 
 std::uint32_t PdoCursor::whole() {
-  return static_cast<std::uint32_t>(little_endian(4));
+  return static_cast<std::uint32_t>(little_endian(bytes(4)));
 }
 
 std::int32_t PdoCursor::number() {
@@ -139,7 +129,7 @@ std::int32_t PdoCursor::number() {
 }
 
 double PdoCursor::real() {
-  return std::bit_cast<double>(little_endian(8));
+  return std::bit_cast<double>(little_endian(bytes(8)));
 }
 
 double PdoCursor::short_real() {

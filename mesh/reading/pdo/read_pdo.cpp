@@ -172,14 +172,8 @@ std::shared_ptr<const std::string> PdoReader::picture(const PdoPicture& picture,
 void PdoReader::add_material(const PdoMaterial& material) {
   Material out;
   out.name = material.name;
-  Colour colour = material.colour;
-  bool good = true;
-  for (double& channel : colour) {
-    good = good && channel >= 0.0 && channel <= 1.0;
-    channel = std::isnan(channel) ? 1.0 : std::clamp(channel, 0.0, 1.0);
-  }
-  soup_.remarks.add(RepairKind::material_value_corrected, good ? 0 : 1);
-  out.colour = colour;
+  out.colour = in_range(material.colour);
+  soup_.remarks.add(RepairKind::material_value_corrected, *out.colour == material.colour ? 0 : 1);
   if (material.picture) {
     out.picture = picture(*material.picture, material.name);
   }
@@ -225,10 +219,6 @@ Soup PdoReader::read() {
   if (soup_.texture_points.empty()) {
     soup_.corner_texture.clear();
   }
-  if (std::all_of(soup_.objects.begin(), soup_.objects.end(),
-                  [](const auto& o) { return o.second.empty(); })) {
-    soup_.objects.clear();
-  }
   const std::size_t hidden = document_.objects.size() - shown.size();
   soup_.remarks.add(RepairKind::element_ignored, hidden,
                     hidden > 0 ? "objects that the file hides" : std::string());
@@ -241,14 +231,6 @@ Soup PdoReader::read() {
   }
   return std::move(soup_);
 }
-
-}  // namespace
-
-Soup read_pdo(const Source& source) {
-  return PdoReader(source).read();
-}
-
-namespace {
 
 /// Ends of one fold in two faces lie within this share of its length: far more than floats lose, far less
 /// than pieces keep apart.
@@ -304,6 +286,10 @@ void add_edge(std::span<const NetSide> sides, const PdoObject& object, FileSeams
 }
 
 }  // namespace
+
+Soup read_pdo(const Source& source) {
+  return PdoReader(source).read();
+}
 
 bool may_have_seams(std::string_view bytes) {
   return is_pdo(bytes);

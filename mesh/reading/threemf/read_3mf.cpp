@@ -110,9 +110,6 @@ Soup ThreemfReader::read() {
       source_.context.check();
     }
   }
-  materials_.finish(soup_);
-  finish_corner_colours(soup_);
-  finish_triangles(soup_);
   soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
   soup_.remarks.add(RepairKind::element_ignored, supports_,
                     supports_ > 0 ? "support for printing" : std::string());
