@@ -48,66 +48,6 @@ void add_hull(const Hull& hull, std::span<const Vec3> points, const RayGrid& gri
   }
 }
 
-double union_length(std::vector<Interval>& intervals) {
-  std::sort(intervals.begin(), intervals.end(),
-            [](const Interval& a, const Interval& b) { return a.low < b.low; });
-  double sum = 0.0;
-  double reached = -INFINITY;
-  for (const Interval& i : intervals) {
-    sum += std::max(0.0, i.high - std::max(i.low, reached));
-    reached = std::max(reached, i.high);
-  }
-  return sum;
-}
-
-}  // namespace
-
-double enclosed_volume(const mesh::Surface& surface) {
-  if (surface.face_count() == 0) {
-    return 0.0;
-  }
-  const Vec3 origin = surface.bounds().low + 0.5 * surface.bounds().size();
-  double sum = 0.0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    sum += dot(surface.point(a) - origin, cross(surface.point(b) - origin, surface.point(c) - origin));
-  }
-  return sum / 6.0;
-}
-
-double hull_volume_ratio(const mesh::Surface& surface, std::span<const std::uint32_t> label, unsigned rays,
-                         const Context& context) {
-  RIDGECRAFT_ASSERT(label.size() == surface.face_count());
-  const double enclosed = enclosed_volume(surface);
-  if (!(enclosed > 0.0)) {
-    return 0.0;
-  }
-  const ScaledSurface scaled = scale_surface(surface, {});
-  std::map<std::uint32_t, std::vector<std::uint32_t>> vertices;
-  for (std::uint32_t f = 0; f < label.size(); ++f) {
-    auto& list = vertices[label[f]];
-    list.insert(list.end(), scaled.corners[f].begin(), scaled.corners[f].end());
-  }
-  const RayGrid grid(rays);
-  std::vector<std::vector<Interval>> along(grid.cell_count());
-  HullBuilder builder(scaled.points);
-  Hull hull;
-  for (auto& [part, list] : vertices) {
-    context.check();
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    builder.build(list, hull);
-    add_hull(hull, scaled.points, grid, along);
-  }
-  double sum = 0.0;
-  for (auto& intervals : along) {
-    sum += union_length(intervals);
-  }
-  return sum * grid.step() * grid.step() * scaled.unit * scaled.unit * scaled.unit / enclosed;
-}
-
-namespace {
-
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /// A labeling with its labels replaced by 0, 1, 2 ... in the order of their values.
@@ -315,6 +255,50 @@ std::optional<double> cut_discrepancy(const mesh::Surface& surface, std::span<co
 }
 
 }  // namespace
+
+double enclosed_volume(const mesh::Surface& surface) {
+  if (surface.face_count() == 0) {
+    return 0.0;
+  }
+  const Vec3 origin = surface.bounds().low + 0.5 * surface.bounds().size();
+  double sum = 0.0;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    sum += dot(surface.point(a) - origin, cross(surface.point(b) - origin, surface.point(c) - origin));
+  }
+  return sum / 6.0;
+}
+
+double hull_volume_ratio(const mesh::Surface& surface, std::span<const std::uint32_t> label, unsigned rays,
+                         const Context& context) {
+  RIDGECRAFT_ASSERT(label.size() == surface.face_count());
+  const double enclosed = enclosed_volume(surface);
+  if (!(enclosed > 0.0)) {
+    return 0.0;
+  }
+  const ScaledSurface scaled = scale_surface(surface, {});
+  std::map<std::uint32_t, std::vector<std::uint32_t>> vertices;
+  for (std::uint32_t f = 0; f < label.size(); ++f) {
+    auto& list = vertices[label[f]];
+    list.insert(list.end(), scaled.corners[f].begin(), scaled.corners[f].end());
+  }
+  const RayGrid grid(rays);
+  std::vector<std::vector<Interval>> along(grid.cell_count());
+  HullBuilder builder(scaled.points);
+  Hull hull;
+  for (auto& [part, list] : vertices) {
+    context.check();
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    builder.build(list, hull);
+    add_hull(hull, scaled.points, grid, along);
+  }
+  double sum = 0.0;
+  for (auto& intervals : along) {
+    sum += union_length(intervals);
+  }
+  return sum * grid.step() * grid.step() * scaled.unit * scaled.unit * scaled.unit / enclosed;
+}
 
 double rand_error(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) {
   RIDGECRAFT_ASSERT(a.size() == b.size());

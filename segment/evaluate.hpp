@@ -12,8 +12,6 @@
 
 namespace ridgecraft::segment {
 
-// Volume of the hulls of its parts.
-
 /// Volume that the surface encloses, in its unit cubed: the sum of signed tetrahedra.
 [[nodiscard]] double enclosed_volume(const mesh::Surface& surface);
 

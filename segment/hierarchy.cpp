@@ -125,16 +125,7 @@ class Joiner {
 
   void join(std::uint32_t a, std::uint32_t b) {
     measure(a, b, {.from_scratch = true});
-    Part part;
-    for (const std::uint32_t f : facets_) {
-      part.faces.emplace_back(f);
-    }
-    for (const std::uint32_t v : measurement_.hull.vertices) {
-      part.hull_vertices.emplace_back(v);
-    }
-    part.concavity = measurement_.concavity;
-    part.hull_volume = measurement_.hull.volume(scaled_.points) * scaled_.unit * scaled_.unit * scaled_.unit;
-    part.reason = PartReason::merged;
+    Part part = part_of(scaled_, facets_, measurement_.hull, measurement_.concavity, PartReason::merged);
     double least = part.concavity;
     for (const std::uint32_t node : {a, b}) {
       least = std::max(least, node < out_.leaves ? out_.nodes[node].concavity

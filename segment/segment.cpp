@@ -93,18 +93,7 @@ std::vector<PartTask> components_of(const Ground& ground, Cutter& cutter) {
 /// By value: the hull, which is larger than what is kept of it, goes with the argument.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 Part described(MeasuredPart measured, const ScaledSurface& scaled) {
-  Part part;
-  part.faces.reserve(measured.facets.size());
-  for (const std::uint32_t f : measured.facets) {
-    part.faces.emplace_back(f);
-  }
-  part.concavity = measured.concavity;
-  for (const std::uint32_t v : measured.hull.vertices) {
-    part.hull_vertices.emplace_back(v);
-  }
-  part.hull_volume = measured.hull.volume(scaled.points) * scaled.unit * scaled.unit * scaled.unit;
-  part.reason = measured.reason;
-  return part;
+  return part_of(scaled, measured.facets, measured.hull, measured.concavity, measured.reason);
 }
 
 /// Shares of the whole work that are done when phases end, as progress tells them.

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "base/elementary.hpp"
 #include "base/encodings.hpp"
 #include "base/error.hpp"
+#include "base/order.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {
@@ -68,22 +68,6 @@ MassProperties from_moments(const Moments& m) {
   return result;
 }
 
-}  // namespace
-
-MassProperties mass_properties(const Body& body) {
-  return mass_properties(std::span(&body, 1));
-}
-
-MassProperties mass_properties(std::span<const Body> bodies) {
-  Moments sum;
-  for (const Body& body : bodies) {
-    add(sum, body);
-  }
-  return from_moments(sum);
-}
-
-namespace {
-
 /// "--" ends an XML comment.
 std::string in_comment(std::string text) {
   for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
@@ -97,71 +81,14 @@ std::string geometry(const std::string& file, double scale) {
                      xml_escaped(file), scale, scale, scale);
 }
 
-}  // namespace
-
-std::string write_obj(const std::vector<Body>& bodies, std::string_view comment) {
-  std::string text = fmt::format("# {}\n", comment);
-  std::size_t first = 1;
-  std::size_t number = 0;
-  for (const Body& body : bodies) {
-    text += fmt::format("o hull_{}\n", ++number);
-    for (const Vec3 p : body.points) {
-      text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
-    }
-    for (const auto& [a, b, c] : body.triangles) {
-      text += fmt::format("f {} {} {}\n", first + a, first + b, first + c);
-    }
-    first += body.points.size();
-  }
-  return text;
-}
-
-std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& options) {
-  RIDGECRAFT_ASSERT(bodies.size() == options.mesh_files.size());
-  const MassProperties of_units = mass_properties(bodies);
-  const double scale = options.metres_per_unit;
-  const double mass = options.density * of_units.volume * elementary::pow(scale, 3.0);
-  const Vec3 center = scale * of_units.center;
-  const double inertia_scale = options.density * elementary::pow(scale, 5.0);
-  const auto inertia = [&](std::size_t i) { return inertia_scale * of_units.inertia[i]; };
-  std::string text =
-      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n<robot name=\"{}\">\n",
-                  in_comment(options.comment), xml_escaped(options.name));
-  text += fmt::format("  <link name=\"{}\">\n", xml_escaped(options.name));
-  text += fmt::format("    <inertial>\n      <origin xyz=\"{} {} {}\"/>\n      <mass value=\"{}\"/>\n",
-                      center.x, center.y, center.z, mass);
-  text += fmt::format(
-      "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n    </inertial>\n",
-      inertia(0), inertia(3), inertia(4), inertia(1), inertia(5), inertia(2));
-  text += "    <visual>\n" + geometry(options.visual_file, scale) + "    </visual>\n";
-  for (const std::string& file : options.mesh_files) {
-    text += "    <collision>\n" + geometry(file, scale) + "    </collision>\n";
-  }
-  return text + "  </link>\n</robot>\n";
-}
-
-namespace {
-
 /// Sine of the angle at which a point is taken to lie in a triangle's plane; rounding leaves about 1e-15.
 constexpr double in_plane = 1e-12;
-
-/// The number of each point, the same for points in one place.
-std::vector<std::uint32_t> numbers_of_places(const std::vector<Vec3>& points) {
-  std::map<std::tuple<double, double, double>, std::uint32_t> number;
-  std::vector<std::uint32_t> place;
-  place.reserve(points.size());
-  for (const Vec3 p : points) {
-    const auto next = static_cast<std::uint32_t>(place.size());
-    place.push_back(number.try_emplace({p.x, p.y, p.z}, next).first->second);
-  }
-  return place;
-}
 
 /// How many triangles run along an edge from its smaller point number to the larger, and back.
 using Runs = std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<std::size_t, 2>>;
 
 Runs runs_along_edges(const solid::Body& cage) {
-  const std::vector<std::uint32_t> place = numbers_of_places(cage.points);
+  const std::vector<std::uint32_t> place = first_at_place(cage.points);
   Runs runs;
   for (const auto& triangle : cage.triangles) {
     const std::array corners{place[triangle[0]], place[triangle[1]], place[triangle[2]]};
@@ -207,59 +134,7 @@ bool outside(Vec3 point, const solid::Body& cage) {
   return std::abs(angle) < 2.0 * std::numbers::pi;  // whole turns are 4 pi each
 }
 
-}  // namespace
-
-void require_closed(const std::string& file, const solid::Body& cage) {
-  struct Kind {
-    const char* one;
-    const char* several;
-    std::size_t count = 0;
-    std::pair<std::uint32_t, std::uint32_t> first;
-  };
-  std::array kinds{
-      Kind{"edge has a triangle on one side only", "edges have a triangle on one side only", {}, {}},
-      Kind{"edge has more than two triangles", "edges have more than two triangles", {}, {}},
-      Kind{"edge lies between triangles that face opposite ways",
-           "edges lie between triangles that face opposite ways",
-           {},
-           {}}};
-  for (const auto& [ends, runs] : runs_along_edges(cage)) {
-    const std::size_t all = runs[0] + runs[1];
-    if (all != 2 || runs[0] != runs[1]) {
-      Kind& kind = kinds[all == 1 ? 0 : all > 2 ? 1 : 2];
-      kind.first = kind.count++ == 0 ? ends : kind.first;
-    }
-  }
-  for (const Kind& kind : kinds) {
-    if (kind.count > 0) {
-      const Vec3 a = cage.points[kind.first.first];
-      const Vec3 b = cage.points[kind.first.second];
-      throw Error(
-          ErrorKind::unusable_mesh,
-          fmt::format("{} isn't closed, as a cage has to be: {} {}, {} ({:g}, {:g}, {:g}) to ({:g}, {:g}, "
-                      "{:g})",
-                      file, kind.count, kind.count == 1 ? kind.one : kind.several,
-                      kind.count == 1 ? "from" : "the first from", a.x, a.y, a.z, b.x, b.y, b.z),
-          file);
-    }
-  }
-}
-
-std::size_t count_outside(std::span<const Vec3> points, const solid::Body& cage, const Context& context) {
-  constexpr std::size_t between_checks = 64;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % between_checks == 0) {
-      context.check();
-    }
-    count += outside(points[i], cage) ? 1U : 0U;
-  }
-  return count;
-}
-
 // Mean value coordinates of points in a closed triangle mesh.
-
-namespace {
 
 /// Nearer to a cage vertex or a triangle's plane than this, relative to the cage's size, counts as on it. The
 /// formula loses all digits at about 1e-8.
@@ -357,6 +232,107 @@ class MeanValue {
 };
 
 }  // namespace
+
+MassProperties mass_properties(const Body& body) {
+  return mass_properties(std::span(&body, 1));
+}
+
+MassProperties mass_properties(std::span<const Body> bodies) {
+  Moments sum;
+  for (const Body& body : bodies) {
+    add(sum, body);
+  }
+  return from_moments(sum);
+}
+
+std::string write_obj(const std::vector<Body>& bodies, std::string_view comment) {
+  std::string text = fmt::format("# {}\n", comment);
+  std::size_t first = 1;
+  std::size_t number = 0;
+  for (const Body& body : bodies) {
+    text += fmt::format("o hull_{}\n", ++number);
+    for (const Vec3 p : body.points) {
+      text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    }
+    for (const auto& [a, b, c] : body.triangles) {
+      text += fmt::format("f {} {} {}\n", first + a, first + b, first + c);
+    }
+    first += body.points.size();
+  }
+  return text;
+}
+
+std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& options) {
+  RIDGECRAFT_ASSERT(bodies.size() == options.mesh_files.size());
+  const MassProperties of_units = mass_properties(bodies);
+  const double scale = options.metres_per_unit;
+  const double mass = options.density * of_units.volume * elementary::pow(scale, 3.0);
+  const Vec3 center = scale * of_units.center;
+  const double inertia_scale = options.density * elementary::pow(scale, 5.0);
+  const auto inertia = [&](std::size_t i) { return inertia_scale * of_units.inertia[i]; };
+  std::string text =
+      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n<robot name=\"{}\">\n",
+                  in_comment(options.comment), xml_escaped(options.name));
+  text += fmt::format("  <link name=\"{}\">\n", xml_escaped(options.name));
+  text += fmt::format("    <inertial>\n      <origin xyz=\"{} {} {}\"/>\n      <mass value=\"{}\"/>\n",
+                      center.x, center.y, center.z, mass);
+  text += fmt::format(
+      "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n    </inertial>\n",
+      inertia(0), inertia(3), inertia(4), inertia(1), inertia(5), inertia(2));
+  text += "    <visual>\n" + geometry(options.visual_file, scale) + "    </visual>\n";
+  for (const std::string& file : options.mesh_files) {
+    text += "    <collision>\n" + geometry(file, scale) + "    </collision>\n";
+  }
+  return text + "  </link>\n</robot>\n";
+}
+
+void require_closed(const std::string& file, const solid::Body& cage) {
+  struct Kind {
+    const char* one;
+    const char* several;
+    std::size_t count = 0;
+    std::pair<std::uint32_t, std::uint32_t> first;
+  };
+  std::array kinds{
+      Kind{"edge has a triangle on one side only", "edges have a triangle on one side only", {}, {}},
+      Kind{"edge has more than two triangles", "edges have more than two triangles", {}, {}},
+      Kind{"edge lies between triangles that face opposite ways",
+           "edges lie between triangles that face opposite ways",
+           {},
+           {}}};
+  for (const auto& [ends, runs] : runs_along_edges(cage)) {
+    const std::size_t all = runs[0] + runs[1];
+    if (all != 2 || runs[0] != runs[1]) {
+      Kind& kind = kinds[all == 1 ? 0 : all > 2 ? 1 : 2];
+      kind.first = kind.count++ == 0 ? ends : kind.first;
+    }
+  }
+  for (const Kind& kind : kinds) {
+    if (kind.count > 0) {
+      const Vec3 a = cage.points[kind.first.first];
+      const Vec3 b = cage.points[kind.first.second];
+      throw Error(
+          ErrorKind::unusable_mesh,
+          fmt::format("{} isn't closed, as a cage has to be: {} {}, {} ({:g}, {:g}, {:g}) to ({:g}, {:g}, "
+                      "{:g})",
+                      file, kind.count, kind.count == 1 ? kind.one : kind.several,
+                      kind.count == 1 ? "from" : "the first from", a.x, a.y, a.z, b.x, b.y, b.z),
+          file);
+    }
+  }
+}
+
+std::size_t count_outside(std::span<const Vec3> points, const solid::Body& cage, const Context& context) {
+  constexpr std::size_t between_checks = 64;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % between_checks == 0) {
+      context.check();
+    }
+    count += outside(points[i], cage) ? 1U : 0U;
+  }
+  return count;
+}
 
 std::vector<Vec3> deform(std::span<const Vec3> points, const Body& before, const Body& after,
                          const Context& context) {

@@ -59,53 +59,6 @@ std::vector<Vec3> missing_directions(std::span<const Vec3> points) {
   return {(1.0 / length(n)) * n};
 }
 
-}  // namespace
-
-Body convex_hull(std::span<const Vec3> points, double thickness) {
-  RIDGECRAFT_ASSERT(!points.empty());
-  std::vector<Point> input;
-  for (const Vec3 p : points) {
-    input.push_back(to_cgal(p));
-  }
-  for (const Vec3 direction : missing_directions(points)) {
-    const std::size_t count = input.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const Kernel::Vector_3 step(thickness * direction.x, thickness * direction.y, thickness * direction.z);
-      input.push_back(input[i] + step);
-      input.push_back(input[i] - step);
-    }
-  }
-  HullMesh mesh;
-  CGAL::convex_hull_3(input.begin(), input.end(), mesh);
-  return canonical_hull(body_of(mesh));
-}
-
-bool encloses(const Body& convex, std::span<const Vec3> points) {
-  return std::all_of(points.begin(), points.end(), [&](Vec3 p) {
-    return std::all_of(convex.triangles.begin(), convex.triangles.end(), [&](const auto& t) {
-      return CGAL::orientation(to_cgal(convex.points[t[0]]), to_cgal(convex.points[t[1]]),
-                               to_cgal(convex.points[t[2]]), to_cgal(p)) != CGAL::POSITIVE;
-    });
-  });
-}
-
-void grow_until_enclosing(Body& convex, std::span<const Vec3> points) {
-  Vec3 middle{0.0, 0.0, 0.0};
-  for (const Vec3 p : convex.points) {
-    middle = middle + (1.0 / static_cast<double>(convex.points.size())) * p;
-  }
-  for (double growth = 1e-14; !encloses(convex, points); growth *= 4.0) {
-    RIDGECRAFT_ASSERT(growth < 0.1);
-    for (Vec3& p : convex.points) {
-      p = middle + (1.0 + growth) * (p - middle);
-    }
-    // Rounded corners may leave the faces of a polytope; the hull of what they are now is convex again.
-    convex = convex_hull(convex.points, 0.0);
-  }
-}
-
-namespace {
-
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
@@ -185,6 +138,49 @@ std::vector<std::vector<Index>> loops_of(const Body& hull, const std::vector<boo
 }
 
 }  // namespace
+
+Body convex_hull(std::span<const Vec3> points, double thickness) {
+  RIDGECRAFT_ASSERT(!points.empty());
+  std::vector<Point> input;
+  for (const Vec3 p : points) {
+    input.push_back(to_cgal(p));
+  }
+  for (const Vec3 direction : missing_directions(points)) {
+    const std::size_t count = input.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Kernel::Vector_3 step(thickness * direction.x, thickness * direction.y, thickness * direction.z);
+      input.push_back(input[i] + step);
+      input.push_back(input[i] - step);
+    }
+  }
+  HullMesh mesh;
+  CGAL::convex_hull_3(input.begin(), input.end(), mesh);
+  return canonical_hull(body_of(mesh));
+}
+
+bool encloses(const Body& convex, std::span<const Vec3> points) {
+  return std::all_of(points.begin(), points.end(), [&](Vec3 p) {
+    return std::all_of(convex.triangles.begin(), convex.triangles.end(), [&](const auto& t) {
+      return CGAL::orientation(to_cgal(convex.points[t[0]]), to_cgal(convex.points[t[1]]),
+                               to_cgal(convex.points[t[2]]), to_cgal(p)) != CGAL::POSITIVE;
+    });
+  });
+}
+
+void grow_until_enclosing(Body& convex, std::span<const Vec3> points) {
+  Vec3 middle{0.0, 0.0, 0.0};
+  for (const Vec3 p : convex.points) {
+    middle = middle + (1.0 / static_cast<double>(convex.points.size())) * p;
+  }
+  for (double growth = 1e-14; !encloses(convex, points); growth *= 4.0) {
+    RIDGECRAFT_ASSERT(growth < 0.1);
+    for (Vec3& p : convex.points) {
+      p = middle + (1.0 + growth) * (p - middle);
+    }
+    // Rounded corners may leave the faces of a polytope; the hull of what they are now is convex again.
+    convex = convex_hull(convex.points, 0.0);
+  }
+}
 
 Body canonical_hull(const Body& hull) {
   std::map<std::pair<Index, Index>, Index> left_of;

@@ -37,27 +37,6 @@ std::vector<Vec3> part_points(const mesh::Surface& surface, const segment::Part&
   return points;
 }
 
-}  // namespace
-
-std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
-                             const HullOptions& options, const Context& context) {
-  const double thickness = least_thickness * surface.bounds().diagonal();
-  std::vector<Body> bodies;
-  for (const segment::Part& part : parts.parts) {
-    context.check();
-    const std::vector<Vec3> points = part_points(surface, part);
-    Body hull = convex_hull(points, thickness);
-    grow_until_enclosing(hull, points);
-    if (options.max_vertices != 0 && hull.points.size() > options.max_vertices) {
-      hull = enclosing_polytope(hull, options.max_vertices, context);
-    }
-    bodies.push_back(std::move(hull));
-  }
-  return bodies;
-}
-
-namespace {
-
 /// A corner nearer to the hull than this share of its size isn't worth a plane.
 constexpr double near_enough = 1e-6;
 
@@ -234,27 +213,6 @@ Polytope clipped_to(const Body& hull, Polytope body, std::size_t max_vertices, c
   }
 }
 
-}  // namespace
-
-Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
-  RIDGECRAFT_ASSERT(max_vertices >= 8);
-  Body best;
-  double least = std::numeric_limits<double>::infinity();
-  // With few planes the box is what counts, with many either may lead to the better ones.
-  for (const Box& box : {box_along_axes(hull), smallest_box(hull)}) {
-    const Polytope body = clipped_to(hull, polytope_of(box), max_vertices, context);
-    Body candidate = convex_hull(body.points, near_enough * length(box.along.size()));
-    grow_until_enclosing(candidate, hull.points);
-    if (const double volume = mass_properties(candidate).volume; volume < least) {
-      least = volume;
-      best = std::move(candidate);
-    }
-  }
-  return best;
-}
-
-namespace {
-
 /// More of the hull's triangles as sides hardly make the box smaller.
 constexpr std::size_t most_sides = 128;
 /// A box must be smaller by this share to be preferred: boxes along the coordinate axes stay so.
@@ -273,6 +231,40 @@ Vec3 doubled_area(const Body& hull, const std::array<std::uint32_t, 3>& t) {
 }
 
 }  // namespace
+
+std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
+                             const HullOptions& options, const Context& context) {
+  const double thickness = least_thickness * surface.bounds().diagonal();
+  std::vector<Body> bodies;
+  for (const segment::Part& part : parts.parts) {
+    context.check();
+    const std::vector<Vec3> points = part_points(surface, part);
+    Body hull = convex_hull(points, thickness);
+    grow_until_enclosing(hull, points);
+    if (options.max_vertices != 0 && hull.points.size() > options.max_vertices) {
+      hull = enclosing_polytope(hull, options.max_vertices, context);
+    }
+    bodies.push_back(std::move(hull));
+  }
+  return bodies;
+}
+
+Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
+  RIDGECRAFT_ASSERT(max_vertices >= 8);
+  Body best;
+  double least = std::numeric_limits<double>::infinity();
+  // With few planes the box is what counts, with many either may lead to the better ones.
+  for (const Box& box : {box_along_axes(hull), smallest_box(hull)}) {
+    const Polytope body = clipped_to(hull, polytope_of(box), max_vertices, context);
+    Body candidate = convex_hull(body.points, near_enough * length(box.along.size()));
+    grow_until_enclosing(candidate, hull.points);
+    if (const double volume = mass_properties(candidate).volume; volume < least) {
+      least = volume;
+      best = std::move(candidate);
+    }
+  }
+  return best;
+}
 
 Vec3 Box::corner(unsigned i) const {
   const double x = (i & 1U) != 0 ? along.high.x : along.low.x;

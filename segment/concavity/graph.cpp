@@ -141,13 +141,9 @@ VertexGraph build_vertex_graph(const ScaledSurface& s, double sagitta) {
   return graph;
 }
 
-namespace {
-
 /// How far a jump may lean out of the surface at its ends, as the cosine to the normal there
 /// (docs/design/segmentation.md, "Arcs and jumps").
 constexpr double jump_lean = 0.3;
-
-}  // namespace
 
 PartGraph::PartGraph(const ScaledSurface& surface, const VertexGraph& graph, bool jumps)
     : surface_(&surface),

@@ -13,9 +13,6 @@
 
 namespace ridgecraft::segment {
 
-// The graph on which valleys run (docs/design/segmentation.md, "Arcs and jumps"): built once for the whole
-// surface; a part uses those of its arcs that its facets carry.
-
 /// An arc from some vertex. Along an edge it exists in a part that has one of its facets, across an edge (the
 /// straight line between the two opposite vertices, in the two triangles unfolded into one plane) in a part
 /// that has both.

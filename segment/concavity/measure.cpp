@@ -18,6 +18,54 @@ double turn(const Spot& a, const Spot& b, const Spot& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// A bridge is derived from a neighbour whose other end is at most this share of the tolerance away.
+constexpr double derivation_share = 0.5;
+/// The bounds grow by this times the distance between the ends.
+constexpr double bounds_growth = 2.0;
+
+/// The corner of a triangle that isn't an end of one of its edges.
+std::uint32_t apex_of(const std::array<std::uint32_t, 3>& corners, const Bridge& edge) {
+  for (const std::uint32_t v : {corners[0], corners[1]}) {
+    if (v != edge.a && v != edge.b) {
+      return v;
+    }
+  }
+  return corners[2];
+}
+
+/// The searched bridge that a known one's bounds come from.
+std::uint32_t origin_of(const Bridge& bridge, std::uint32_t index) {
+  const auto* derived = std::get_if<Derived>(&bridge.known);
+  return derived != nullptr ? derived->from : index;
+}
+
+/// Whether the bounds of bridge number `source`, one end of which is `moved` away, decide about a bridge.
+bool derive_from(Bridge& bridge, std::uint32_t source, double moved, double tolerance,
+                 std::span<const Bridge> bridges) {
+  const std::optional<ConcavityBounds> bounds = concavity_bounds(bridges[source]);
+  if (!bounds) {
+    return false;
+  }
+  Derived derived;
+  derived.least = bounds->least - bounds_growth * moved;
+  derived.most = bounds->most + bounds_growth * moved;
+  if (!(derived.least > tolerance) && !(derived.most <= tolerance)) {
+    return false;
+  }
+  derived.from = origin_of(bridges[source], source);
+  bridge.high = derived.least > tolerance;
+  bridge.length = bridges[source].length + moved;
+  bridge.known = derived;
+  return true;
+}
+
+/// Whether a bridge runs from near the second end of another to near its first.
+bool runs_crossed(const Bridge& bridge, const Bridge& other, std::span<const Vec3> points) {
+  const auto apart = [&](std::uint32_t v, std::uint32_t w) { return length(points[v] - points[w]); };
+  return apart(bridge.a, other.a) + apart(bridge.b, other.b) >
+         apart(bridge.a, other.b) + apart(bridge.b, other.a);
+}
+
 }  // namespace
 
 /// Drops what lies inside the octagon of the points farthest in eight directions: nearly all points of a
@@ -76,58 +124,6 @@ std::array<std::uint32_t, 2> Shadow::longest(std::span<const Vec3> points) const
   }
   return best;
 }
-
-namespace {
-
-/// A bridge is derived from a neighbour whose other end is at most this share of the tolerance away.
-constexpr double derivation_share = 0.5;
-/// The bounds grow by this times the distance between the ends.
-constexpr double bounds_growth = 2.0;
-
-/// The corner of a triangle that isn't an end of one of its edges.
-std::uint32_t apex_of(const std::array<std::uint32_t, 3>& corners, const Bridge& edge) {
-  for (const std::uint32_t v : {corners[0], corners[1]}) {
-    if (v != edge.a && v != edge.b) {
-      return v;
-    }
-  }
-  return corners[2];
-}
-
-/// The searched bridge that a known one's bounds come from.
-std::uint32_t origin_of(const Bridge& bridge, std::uint32_t index) {
-  const auto* derived = std::get_if<Derived>(&bridge.known);
-  return derived != nullptr ? derived->from : index;
-}
-
-/// Whether the bounds of bridge number `source`, one end of which is `moved` away, decide about a bridge.
-bool derive_from(Bridge& bridge, std::uint32_t source, double moved, double tolerance,
-                 std::span<const Bridge> bridges) {
-  const std::optional<ConcavityBounds> bounds = concavity_bounds(bridges[source]);
-  if (!bounds) {
-    return false;
-  }
-  Derived derived;
-  derived.least = bounds->least - bounds_growth * moved;
-  derived.most = bounds->most + bounds_growth * moved;
-  if (!(derived.least > tolerance) && !(derived.most <= tolerance)) {
-    return false;
-  }
-  derived.from = origin_of(bridges[source], source);
-  bridge.high = derived.least > tolerance;
-  bridge.length = bridges[source].length + moved;
-  bridge.known = derived;
-  return true;
-}
-
-/// Whether a bridge runs from near the second end of another to near its first.
-bool runs_crossed(const Bridge& bridge, const Bridge& other, std::span<const Vec3> points) {
-  const auto apart = [&](std::uint32_t v, std::uint32_t w) { return length(points[v] - points[w]); };
-  return apart(bridge.a, other.a) + apart(bridge.b, other.b) >
-         apart(bridge.a, other.b) + apart(bridge.b, other.a);
-}
-
-}  // namespace
 
 std::optional<ConcavityBounds> concavity_bounds(const Bridge& bridge) {
   if (const auto* searched = std::get_if<Searched>(&bridge.known)) {
@@ -188,8 +184,6 @@ bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> 
   return false;
 }
 
-namespace {
-
 /// Longest bridges that a test sorts and looks at first: most unions that fail do so there.
 constexpr std::size_t first_tested = 256;
 /// Three directions at right angles, in which no edge of a box or of another thing along the axes lies: the
@@ -202,7 +196,16 @@ constexpr std::size_t least_in_shadow = 4096;
 /// Searches between two questions whether the user wants to stop.
 constexpr std::size_t check_interval = 64;
 
-}  // namespace
+Part part_of(const ScaledSurface& surface, std::span<const std::uint32_t> facets, const Hull& hull,
+             double concavity, PartReason reason) {
+  Part part;
+  part.faces = std::vector<FaceId>(facets.begin(), facets.end());
+  part.concavity = concavity;
+  part.hull_vertices = std::vector<VertexId>(hull.vertices.begin(), hull.vertices.end());
+  part.hull_volume = hull.volume(surface.points) * surface.unit * surface.unit * surface.unit;
+  part.reason = reason;
+  return part;
+}
 
 Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, const MeasureRules& by,
                    const Context& context)

@@ -101,9 +101,6 @@ struct ConcavityBounds {
 bool derive_bridge(std::uint32_t index, const Hull& hull, std::span<const Vec3> points, double tolerance,
                    std::span<Bridge> bridges);
 
-// How concave a part is: all its bridges with their valleys (docs/design/segmentation.md, "One part,
-// measured").
-
 /// How far the hull bulges over its flat faces, in radii of the ball: all their points become hull vertices
 /// and their triangles those of a Delaunay triangulation, so that a gap between two points in one plane has
 /// its bridge. Too small to be seen in any measure; large against the grid.
@@ -126,6 +123,10 @@ struct MeasureOptions {
   /// very part count. That is the value that is reported.
   bool from_scratch = false;
 };
+
+/// A part as segmenting gives it, with the numbers of the scaled surface and in the surface's unit.
+[[nodiscard]] Part part_of(const ScaledSurface& surface, std::span<const std::uint32_t> facets,
+                           const Hull& hull, double concavity, PartReason reason);
 
 /// What counts as concave. Lengths are in the scale of the surface.
 struct MeasureRules {

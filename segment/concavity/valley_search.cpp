@@ -51,6 +51,13 @@ constexpr double bucket_share = 0.125;
 /// out for that, or which one is found would depend on what was searched before.
 constexpr float rounding_slack = 1.0F + 4.0F * std::numeric_limits<float>::epsilon();
 
+/// Small: each part that is measured for itself has a cache of its own.
+constexpr std::size_t first_size = 64;
+
+std::uint64_t key_of(std::uint32_t from, std::uint32_t to) {
+  return std::uint64_t{from} << 32U | to;
+}
+
 }  // namespace
 
 ValleySearch::ValleySearch(const PartGraph& graph)
@@ -256,17 +263,6 @@ void ValleySearch::flood(std::span<const Start> starts, double limit, std::vecto
     });
   }
 }
-
-namespace {
-
-/// Small: each part that is measured for itself has a cache of its own.
-constexpr std::size_t first_size = 64;
-
-std::uint64_t key_of(std::uint32_t from, std::uint32_t to) {
-  return std::uint64_t{from} << 32U | to;
-}
-
-}  // namespace
 
 ValleyCache::ValleyCache() : table_(first_size) {}
 

@@ -231,88 +231,11 @@ void hierarchy_of_bridges(std::span<const Vec2> chain, std::vector<double>& conc
   }
 }
 
-}  // namespace
-
-void project_valley(std::span<const Vec3> valley, std::vector<Vec2>& chain) {
-  chain.resize(valley.size());
-  const Vec3 a = valley.front();
-  const Vec3 way = valley.back() - a;
-  const double size = length(way);
-  const Vec3 unit = size > 0.0 ? way / size : Vec3{};
-  for (std::size_t i = 0; i < valley.size(); ++i) {
-    const Vec3 p = valley[i] - a;
-    const double t = dot(p, unit);
-    chain[i] = {t, length(p - std::clamp(t, 0.0, size) * unit)};
-  }
-  chain.front() = {0.0, 0.0};
-  chain.back() = {size, 0.0};
-}
-
-void chain_concavity(std::span<const Vec2> chain, std::vector<double>& concavity) {
-  concavity.resize(chain.size());
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    concavity[i] = chain[i].y;
-  }
-  if (chain.size() < 3 || is_monotone(chain)) {
-    return;
-  }
-  if (chain.size() <= longest_polygon && is_simple(chain)) {
-    shortest_in_polygon(chain, concavity);
-  } else {
-    hierarchy_of_bridges(chain, concavity);
-  }
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    // A point that rounding let nobody see keeps its distance to the bridge, the least it can be.
-    concavity[i] = std::isfinite(concavity[i]) ? std::max(concavity[i], chain[i].y) : chain[i].y;
-  }
-}
-
-namespace {
-
 /// A corner of the new bridges, with the concavity of all pockets up to it.
 struct Corner {
   std::size_t position;
   double concavity;
 };
-
-}  // namespace
-
-void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix) {
-  prefix.assign(chain.size(), 0.0);
-  std::vector<Corner> stack;
-  for (std::size_t k = 0; k < chain.size(); ++k) {
-    const Vec2 q = chain[k];
-    while (stack.size() >= 2) {
-      const Vec2 s1 = chain[stack.back().position];
-      const Vec2 s2 = chain[stack[stack.size() - 2].position];
-      if (cross(s1 - s2, q - s2) > 0.0) {
-        break;
-      }
-      stack.pop_back();
-    }
-    double pocket = 0.0;
-    if (!stack.empty()) {
-      const std::size_t top = stack.back().position;
-      for (std::size_t i = top + 1; i < k; ++i) {
-        pocket = std::max(pocket, distance_to_segment(chain[i], chain[top], q));
-      }
-      pocket = std::max(pocket, stack.back().concavity);
-    }
-    stack.push_back({k, pocket});
-    prefix[k] = pocket;
-  }
-}
-
-void suffix_concavity(std::span<const Vec2> chain, std::vector<double>& suffix) {
-  std::vector<Vec2> mirrored(chain.rbegin(), chain.rend());
-  for (Vec2& p : mirrored) {
-    p.x = chain.back().x - p.x;
-  }
-  prefix_concavity(mirrored, suffix);
-  std::reverse(suffix.begin(), suffix.end());
-}
-
-namespace {
 
 /// Residual concavities closer than this are equal: rounding of unit lengths.
 constexpr double tie_tolerance = 1e-12;
@@ -364,7 +287,85 @@ std::size_t last_shallow(std::span<const double> prefix, double tolerance) {
   return i;
 }
 
+/// Equal for equal parts; two different ones of a run agree with a probability of 2^-64.
+std::uint64_t signature_of(std::span<const std::uint32_t> facets) {
+  std::uint64_t sum = 0;
+  for (const std::uint32_t f : facets) {
+    sum += Random(f).next();
+  }
+  return sum;
+}
+
 }  // namespace
+
+void project_valley(std::span<const Vec3> valley, std::vector<Vec2>& chain) {
+  chain.resize(valley.size());
+  const Vec3 a = valley.front();
+  const Vec3 way = valley.back() - a;
+  const double size = length(way);
+  const Vec3 unit = size > 0.0 ? way / size : Vec3{};
+  for (std::size_t i = 0; i < valley.size(); ++i) {
+    const Vec3 p = valley[i] - a;
+    const double t = dot(p, unit);
+    chain[i] = {t, length(p - std::clamp(t, 0.0, size) * unit)};
+  }
+  chain.front() = {0.0, 0.0};
+  chain.back() = {size, 0.0};
+}
+
+void chain_concavity(std::span<const Vec2> chain, std::vector<double>& concavity) {
+  concavity.resize(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    concavity[i] = chain[i].y;
+  }
+  if (chain.size() < 3 || is_monotone(chain)) {
+    return;
+  }
+  if (chain.size() <= longest_polygon && is_simple(chain)) {
+    shortest_in_polygon(chain, concavity);
+  } else {
+    hierarchy_of_bridges(chain, concavity);
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    // A point that rounding let nobody see keeps its distance to the bridge, the least it can be.
+    concavity[i] = std::isfinite(concavity[i]) ? std::max(concavity[i], chain[i].y) : chain[i].y;
+  }
+}
+
+void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix) {
+  prefix.assign(chain.size(), 0.0);
+  std::vector<Corner> stack;
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const Vec2 q = chain[k];
+    while (stack.size() >= 2) {
+      const Vec2 s1 = chain[stack.back().position];
+      const Vec2 s2 = chain[stack[stack.size() - 2].position];
+      if (cross(s1 - s2, q - s2) > 0.0) {
+        break;
+      }
+      stack.pop_back();
+    }
+    double pocket = 0.0;
+    if (!stack.empty()) {
+      const std::size_t top = stack.back().position;
+      for (std::size_t i = top + 1; i < k; ++i) {
+        pocket = std::max(pocket, distance_to_segment(chain[i], chain[top], q));
+      }
+      pocket = std::max(pocket, stack.back().concavity);
+    }
+    stack.push_back({k, pocket});
+    prefix[k] = pocket;
+  }
+}
+
+void suffix_concavity(std::span<const Vec2> chain, std::vector<double>& suffix) {
+  std::vector<Vec2> mirrored(chain.rbegin(), chain.rend());
+  for (Vec2& p : mirrored) {
+    p.x = chain.back().x - p.x;
+  }
+  prefix_concavity(mirrored, suffix);
+  std::reverse(suffix.begin(), suffix.end());
+}
 
 Separators find_separators(std::span<const Vec2> chain, std::span<const double> concavity,
                            std::span<const double> uncapped, double tolerance) {
@@ -400,19 +401,6 @@ Separators find_separators(std::span<const Vec2> chain, std::span<const double> 
   s.last = std::clamp(s.last, std::size_t{1}, n - 2);
   return s;
 }
-
-namespace {
-
-/// Equal for equal parts; two different ones of a run agree with a probability of 2^-64.
-std::uint64_t signature_of(std::span<const std::uint32_t> facets) {
-  std::uint64_t sum = 0;
-  for (const std::uint32_t f : facets) {
-    sum += Random(f).next();
-  }
-  return sum;
-}
-
-}  // namespace
 
 Valleys::Valleys(const PartGraph& part) : part_(&part), search_(part) {}
 

@@ -15,8 +15,6 @@
 
 namespace ridgecraft::segment {
 
-// How deep each vertex of a valley lies under its bridge (docs/design/segmentation.md, "Depth of a valley").
-
 /// The valley in the plane of its bridge: x = t, position along the bridge; y = h, distance to the bridge's
 /// segment. The first point is (0, 0), the last (length of the bridge, 0).
 void project_valley(std::span<const Vec3> valley, std::vector<Vec2>& chain);
@@ -35,9 +33,6 @@ void prefix_concavity(std::span<const Vec2> chain, std::vector<double>& prefix);
 
 /// The same of the reversed chain: suffix[k] = concavity of chain[k..n-1].
 void suffix_concavity(std::span<const Vec2> chain, std::vector<double>& suffix);
-
-// Where a deep valley is cut: at one vertex of a V, at two of a U (docs/design/segmentation.md,
-// "Separators").
 
 /// Positions in the valley; `first` belongs to its first end, `last` to its last; equal in a V.
 struct Separators {

@@ -104,13 +104,9 @@ EdgeWeights weigh_edges(const ScaledSurface& s, const Rules& rules, std::span<co
   return {s, rules, label};
 }
 
-namespace {
-
 /// After cuts of so many facets the room for them is given back: parts are smaller than the whole, and what
 /// is looked at next, their hulls, needs as much.
 constexpr std::size_t most_kept_facets = 1U << 18U;
-
-}  // namespace
 
 Cutter::Cutter(const ScaledSurface& surface, const EdgeWeights& weights, std::size_t coarse_from)
     : surface_(&surface),

@@ -60,9 +60,6 @@ class EdgeWeights {
 [[nodiscard]] EdgeWeights weigh_edges(const ScaledSurface& surface, const Rules& rules = {},
                                       std::span<const std::uint32_t> label = {});
 
-// Cutting a part between its ridges (docs/design/segmentation.md, "Order of cuts"), and what is done when
-// that cuts nothing (there, "Where nothing is cut").
-
 /// Ridges of one round that are cut off at most, the last region counted in.
 inline constexpr std::size_t most_ridges = 64;
 

@@ -33,6 +33,30 @@ void divide(PartWorker& worker, int depth, TaskOutcome& outcome) {
   }
 }
 
+/// Takes over what is done and gives the pieces of the rest, as tasks of the next round.
+std::vector<PartTask> take_round(std::vector<PartTask> tasks, std::vector<TaskOutcome> outcomes,
+                                 Division& division) {
+  std::vector<PartTask> pieces;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    PartTask& task = tasks[i];
+    TaskOutcome& outcome = outcomes[i];
+    if (outcome.pieces.empty()) {
+      division.parts.push_back(
+          {std::move(task.facets), task.depth, task.reason, outcome.concavity, std::move(outcome.hull)});
+      continue;
+    }
+    const int depth = task.depth + 1;
+    division.depth = std::max(division.depth, depth);
+    if (!outcome.cut) {
+      ++(outcome.halved ? division.halvings : division.splits);
+    }
+    for (Facets& piece : outcome.pieces) {
+      pieces.push_back({std::move(piece), depth, outcome.cut ? PartReason::ridge : PartReason::split});
+    }
+  }
+  return pieces;
+}
+
 }  // namespace
 
 PartWorkers::PartWorkers(const ScaledSurface& surface, const VertexGraph& graph, const EdgeWeights& weights,
@@ -130,34 +154,6 @@ void PartWorkers::run_with(PartWorker& worker, PartTask& task, const MeasureOpti
   }
   outcome.hull = std::move(measurement.hull);
 }
-
-namespace {
-
-/// Takes over what is done and gives the pieces of the rest, as tasks of the next round.
-std::vector<PartTask> take_round(std::vector<PartTask> tasks, std::vector<TaskOutcome> outcomes,
-                                 Division& division) {
-  std::vector<PartTask> pieces;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    PartTask& task = tasks[i];
-    TaskOutcome& outcome = outcomes[i];
-    if (outcome.pieces.empty()) {
-      division.parts.push_back(
-          {std::move(task.facets), task.depth, task.reason, outcome.concavity, std::move(outcome.hull)});
-      continue;
-    }
-    const int depth = task.depth + 1;
-    division.depth = std::max(division.depth, depth);
-    if (!outcome.cut) {
-      ++(outcome.halved ? division.halvings : division.splits);
-    }
-    for (Facets& piece : outcome.pieces) {
-      pieces.push_back({std::move(piece), depth, outcome.cut ? PartReason::ridge : PartReason::split});
-    }
-  }
-  return pieces;
-}
-
-}  // namespace
 
 Division divide_all(PartWorkers& workers, std::vector<PartTask> tasks, const MeasureOptions& options,
                     ValleyCache& valleys, const std::function<void(double share)>& progress) {

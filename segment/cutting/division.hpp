@@ -85,8 +85,6 @@ class PartWorkers {
   std::vector<PartWorker*> idle_;
 };
 
-// Parts are divided, round by round, until all are within the tolerance.
-
 /// A part that is within the tolerance, or can't be divided.
 struct MeasuredPart {
   Facets facets;

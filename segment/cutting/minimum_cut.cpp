@@ -13,6 +13,22 @@ namespace {
 constexpr std::uint32_t unreachable = 0xffffffffU;
 constexpr std::uint8_t unpaired = 3;
 
+/// Nodes of a cluster at most. Larger ones make the flow cheaper and the band wider.
+constexpr std::size_t cluster_size = 32;
+/// Clusters on each side of the cut that stay open, counted in steps. With a band of two steps the cheapest
+/// cut of a sphere with six spikes often lies outside: one spike gets twice the facets that belong to it, and
+/// another one is cut in two.
+constexpr int band_steps = 6;
+
+/// What borders between clusters count for: a smooth border of length 1 is about 4 / pi long on a square grid
+/// of cells, in the mean over all directions.
+constexpr std::int64_t border_numerator = 3;
+constexpr std::int64_t border_denominator = 4;
+
+std::int64_t saturated_sum(std::int64_t a, std::int64_t b) {
+  return std::min(a + b, MaximumFlow::infinite_capacity);
+}
+
 }  // namespace
 
 void MaximumFlow::reset(std::uint32_t n) {
@@ -270,26 +286,6 @@ void MaximumFlow::adopt(std::uint32_t i) {
   node.tree = Tree::free;
   node.active = false;  // its place in the queue is skipped, or used again when it is activated anew
 }
-
-namespace {
-
-/// Nodes of a cluster at most. Larger ones make the flow cheaper and the band wider.
-constexpr std::size_t cluster_size = 32;
-/// Clusters on each side of the cut that stay open, counted in steps. With a band of two steps the cheapest
-/// cut of a sphere with six spikes often lies outside: one spike gets twice the facets that belong to it, and
-/// another one is cut in two.
-constexpr int band_steps = 6;
-
-/// What borders between clusters count for: a smooth border of length 1 is about 4 / pi long on a square grid
-/// of cells, in the mean over all directions.
-constexpr std::int64_t border_numerator = 3;
-constexpr std::int64_t border_denominator = 4;
-
-std::int64_t saturated_sum(std::int64_t a, std::int64_t b) {
-  return std::min(a + b, MaximumFlow::infinite_capacity);
-}
-
-}  // namespace
 
 void CoarseCut::run(const CutGraph& graph, std::vector<CutSide>& side) {
   join_nodes(graph);

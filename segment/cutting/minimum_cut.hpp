@@ -77,9 +77,6 @@ class MaximumFlow {
   unsigned meeting_slot_ = 0;
 };
 
-// Where a minimum cut through many facets surely isn't: found on clusters of facets
-// (docs/design/segmentation.md, "One part, cut").
-
 /// A cut problem on nodes with at most three arcs, as MaximumFlow takes it. It is asked node by node: of
 /// millions of nodes a list of the answers would take more memory than all else that cutting needs.
 class CutGraph {

@@ -102,11 +102,7 @@ std::vector<Ridge> find_ridges(const Measurement& m, std::span<const Vec3> point
   return all;
 }
 
-namespace {
-
 constexpr std::uint32_t untouched = 0xfffffffeU;
-
-}  // namespace
 
 Regions::Regions(const ScaledSurface& surface)
     : surface_(&surface),

@@ -30,9 +30,6 @@ struct Ridge {
 /// high.
 [[nodiscard]] std::vector<Ridge> find_ridges(const Measurement& measurement, std::span<const Vec3> points);
 
-// Which facets surely belong to a ridge and which are open to the cut (docs/design/segmentation.md,
-// "Regions").
-
 /// Owner of a facet that lies in no potential region or in several.
 inline constexpr std::uint32_t fuzzy = 0xffffffffU;
 

@@ -33,6 +33,24 @@ double greatest_coordinate(Vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// A point of a flat set, without the coordinate that is dropped.
+struct FlatPoint {
+  std::int64_t x;
+  std::int64_t y;
+  std::uint32_t id;
+};
+
+/// Twice the area of a triangle, above 0 when it runs counterclockwise; exact.
+Int128 flat_turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
+  return Int128{b.x - a.x} * (c.y - a.y) - Int128{b.y - a.y} * (c.x - a.x);
+}
+
+/// Which coordinate a plane with this normal loses least by dropping: 0, 1 or 2.
+int coordinate_to_drop(Vec3 normal) {
+  const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
+  return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+}
+
 }  // namespace
 
 void Hull::clear() {
@@ -473,28 +491,6 @@ void HullBuilder::connect(Hull& out) {
     }
   }
 }
-
-namespace {
-
-/// A point of a flat set, without the coordinate that is dropped.
-struct FlatPoint {
-  std::int64_t x;
-  std::int64_t y;
-  std::uint32_t id;
-};
-
-/// Twice the area of a triangle, above 0 when it runs counterclockwise; exact.
-Int128 flat_turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
-  return Int128{b.x - a.x} * (c.y - a.y) - Int128{b.y - a.y} * (c.x - a.x);
-}
-
-/// Which coordinate a plane with this normal loses least by dropping: 0, 1 or 2.
-int coordinate_to_drop(Vec3 normal) {
-  const Vec3 size{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-  return size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-}
-
-}  // namespace
 
 void HullBuilder::build_line(Hull& out) const {
   out.vertices.push_back(ids_[simplex_[0]]);

@@ -13,30 +13,6 @@ namespace {
 /// A triangle whose doubled area is below this share of its longest side squared is a sliver.
 constexpr double sliver_share = 1e-7;
 
-}  // namespace
-
-bool is_sliver(Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
-  const Vec3 w = c - b;
-  return length(cross(u, v)) <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)});
-}
-
-void find_hull_planes(const Hull& hull, std::span<const Vec3> points, std::vector<HullPlane>& planes) {
-  planes.clear();
-  for (std::uint32_t t = 0; t < hull.triangles.size(); ++t) {
-    const auto& [a, b, c] = hull.triangles[t];
-    if (is_sliver(points[a], points[b], points[c])) {
-      continue;
-    }
-    const Vec3 outward = cross(points[b] - points[a], points[c] - points[a]);
-    const Vec3 normal = outward / length(outward);
-    planes.push_back({normal, dot(normal, points[a]), t});
-  }
-}
-
-namespace {
-
 /// Finer cells would cost more to look at than they save, however many planes there are.
 constexpr std::uint32_t most_squares = 32;
 
@@ -70,6 +46,26 @@ std::uint32_t cell_of(Vec3 n, std::uint32_t squares) {
 
 }  // namespace
 
+bool is_sliver(Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = c - b;
+  return length(cross(u, v)) <= sliver_share * std::max({dot(u, u), dot(v, v), dot(w, w)});
+}
+
+void find_hull_planes(const Hull& hull, std::span<const Vec3> points, std::vector<HullPlane>& planes) {
+  planes.clear();
+  for (std::uint32_t t = 0; t < hull.triangles.size(); ++t) {
+    const auto& [a, b, c] = hull.triangles[t];
+    if (is_sliver(points[a], points[b], points[c])) {
+      continue;
+    }
+    const Vec3 outward = cross(points[b] - points[a], points[c] - points[a]);
+    const Vec3 normal = outward / length(outward);
+    planes.push_back({normal, dot(normal, points[a]), t});
+  }
+}
+
 void PlaneDirections::assign(std::span<const HullPlane> planes, Vec3 centre) {
   centre_ = centre;
   // 6 s^2 cells of n / (6 s^2) planes: about as many planes in a cell as cells at s = (n / 36)^(1/4).
@@ -97,8 +93,6 @@ void PlaneDirections::assign(std::span<const HullPlane> planes, Vec3 centre) {
   std::erase_if(cells_, [](const Cell& cell) { return cell.begin == cell.end; });
 }
 
-namespace {
-
 /// Cosine below which a normal counts as parallel to a plane.
 constexpr double parallel_cosine = 1e-9;
 /// Cosine to the vertex normal above which a facet of the hull doesn't lie behind the surface: walls of
@@ -112,8 +106,6 @@ constexpr double on_plane = 1e-9;
 constexpr double any_cosine = -2.0;
 /// Vertices looked at between two questions whether to stop: at most some milliseconds.
 constexpr std::size_t questions_per_check = 64;
-
-}  // namespace
 
 HullDepth::HullDepth(const ScaledSurface& surface, double tolerance, double opening_scale,
                      const Context& context)

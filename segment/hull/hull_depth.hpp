@@ -93,9 +93,6 @@ class PlaneDirections {
   std::vector<std::uint32_t> first_;  ///< scratch: where each cell begins
 };
 
-// How deep a point lies under a hull: along its normal or at an opening (docs/design/segmentation.md,
-// "Cap on depth").
-
 /// Depths under one hull at a time, each computed when first asked for.
 class HullDepth {
  public:

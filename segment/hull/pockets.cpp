@@ -45,19 +45,6 @@ std::vector<RaySpan> cast_rays(const Hull& hull, std::span<const Vec3> points) {
   return spans;
 }
 
-double union_length(std::vector<RaySpan>& spans) {
-  std::sort(spans.begin(), spans.end(), [](const RaySpan& s, const RaySpan& t) { return s.low < t.low; });
-  double sum = 0.0;
-  double reached = -INFINITY;
-  for (const RaySpan& s : spans) {
-    const auto low = static_cast<double>(s.low);
-    const auto high = static_cast<double>(s.high);
-    sum += std::max(0.0, high - std::max(low, reached));
-    reached = std::max(reached, high);
-  }
-  return sum;
-}
-
 namespace {
 
 constexpr std::size_t most_variables = 4;
@@ -224,16 +211,12 @@ std::optional<DeepestPoint> deepest_point(std::span<const HalfSpace> half_spaces
   return DeepestPoint{{(*x)[0], (*x)[1], (*x)[2]}, (*x)[3]};
 }
 
-namespace {
-
 /// Depth beyond the tolerance that is rounding, in radii of the ball.
 constexpr double depth_rounding = 1e-9;
 /// How far beside a facet air is looked for, in radii: far above the grid, far below any feature.
 constexpr double beside = 1e-7;
 /// Direction of rays, along no likely edge or face.
 constexpr Vec3 ray{0.43201637, 0.28905123, 0.85429631};
-
-}  // namespace
 
 PocketTest::PocketTest(const ScaledSurface& surface, double tolerance)
     : surface_(&surface), tolerance_(tolerance), air_(surface.facet_count(), -1) {}

@@ -83,8 +83,20 @@ struct RaySpan {
 /// The stretches inside a hull, ascending by ray; none for a flat hull. O(triangles + rays met).
 [[nodiscard]] std::vector<RaySpan> cast_rays(const Hull& hull, std::span<const Vec3> points);
 
-/// Length of the union of stretches of one ray; sorts them.
-[[nodiscard]] double union_length(std::vector<RaySpan>& spans);
+/// Length of the union of stretches of one ray, from `low` to `high`; sorts them.
+template <class Span>
+[[nodiscard]] double union_length(std::vector<Span>& spans) {
+  std::sort(spans.begin(), spans.end(), [](const Span& s, const Span& t) { return s.low < t.low; });
+  double sum = 0.0;
+  double reached = -INFINITY;
+  for (const Span& s : spans) {
+    const auto low = static_cast<double>(s.low);
+    const auto high = static_cast<double>(s.high);
+    sum += std::max(0.0, high - std::max(low, reached));
+    reached = std::max(reached, high);
+  }
+  return sum;
+}
 
 // The centre of the largest ball in a convex body.
 
@@ -103,9 +115,6 @@ struct DeepestPoint {
 /// they have no common point. Linear programme in four variables by R. Seidel's incremental algorithm
 /// ("Small- dimensional linear programming and convex hulls made easy", 1991): expected O(n).
 [[nodiscard]] std::optional<DeepestPoint> deepest_point(std::span<const HalfSpace> half_spaces);
-
-// Whether air lies deep under the hull of a part: what --pockets promises about (docs/design/segmentation.md,
-// "More effort, smaller hulls, no pockets").
 
 /// Tests hulls against the solid that a closed surface encloses. A pocket is a point outside the solid that
 /// lies deeper than a tolerance under every face of the hull. What lies so deep is a convex body, the hull

@@ -120,17 +120,6 @@ class Crumbs {
   std::vector<bool> taken_in_;
 };
 
-}  // namespace
-
-void absorb_crumbs(const ScaledSurface& surface, std::vector<Facets> components, std::vector<Facets> parts,
-                   const UniteParts& unite, const Context& context) {
-  Crumbs crumbs(surface, std::move(components), std::move(parts), unite);
-  while (crumbs.pass(context)) {
-  }
-}
-
-namespace {
-
 // The merge pass: neighbours whose union is within the tolerance become one part
 // (docs/design/segmentation.md, "Merge pass").
 
@@ -246,6 +235,13 @@ std::vector<PartTask> assembled(std::vector<MeasuredPart> parts, const JoiningTo
 }
 
 }  // namespace
+
+void absorb_crumbs(const ScaledSurface& surface, std::vector<Facets> components, std::vector<Facets> parts,
+                   const UniteParts& unite, const Context& context) {
+  Crumbs crumbs(surface, std::move(components), std::move(parts), unite);
+  while (crumbs.pass(context)) {
+  }
+}
 
 std::vector<PartTask> leave_parts(std::vector<MeasuredPart> parts) {
   std::vector<PartTask> tasks;

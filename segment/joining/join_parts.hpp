@@ -30,8 +30,6 @@ using UniteParts = std::function<bool(std::span<const std::uint32_t> parts, std:
 void absorb_crumbs(const ScaledSurface& surface, std::vector<Facets> components, std::vector<Facets> parts,
                    const UniteParts& unite, const Context& context);
 
-// What cutting divided too far is put together: by the merge pass, or by the attempts of more effort.
-
 /// What joining works with, on one thread.
 struct JoiningTools {
   Measurer* measurer;

@@ -200,8 +200,6 @@ class PieceSets {
   std::size_t measured_facets_ = 0;
 };
 
-// Which pieces of a finely cut surface belong together: few parts, small hulls, borders along creases.
-
 /// What a partition costs: 1 for each part, and these.
 struct PartitionCost {
   double volume = 0.0;       ///< of one unit_volume of the union of the parts' hulls

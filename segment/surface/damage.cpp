@@ -303,33 +303,6 @@ class Closer {
   std::map<std::uint32_t, std::vector<Side>> arriving_;
 };
 
-}  // namespace
-
-bool looks_damaged(const mesh::Surface& surface) {
-  if (surface.component_count() <= damaged_components) {
-    return false;
-  }
-  std::size_t border = 0;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    for (unsigned k = 0; k < 3; ++k) {
-      border += surface.neighbor(mesh::corner(f, k)).valid() ? 0U : 1U;
-    }
-  }
-  return static_cast<double>(border) > damaged_border_share * static_cast<double>(surface.edge_count());
-}
-
-void close_holes(ScaledSurface& s) {
-  const std::size_t before = s.facet_count();
-  join_border_vertices(s);
-  CrumbTies(s).run();
-  index_and_orient(s);
-  Closer(s).run();
-  extend_groups(s, before);
-  index_and_orient(s);
-}
-
-namespace {
-
 /// A pair of vertices of two components, and how far apart they are.
 struct Tie {
   double squared_length;
@@ -497,6 +470,29 @@ class Tying {
 };
 
 }  // namespace
+
+bool looks_damaged(const mesh::Surface& surface) {
+  if (surface.component_count() <= damaged_components) {
+    return false;
+  }
+  std::size_t border = 0;
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    for (unsigned k = 0; k < 3; ++k) {
+      border += surface.neighbor(mesh::corner(f, k)).valid() ? 0U : 1U;
+    }
+  }
+  return static_cast<double>(border) > damaged_border_share * static_cast<double>(surface.edge_count());
+}
+
+void close_holes(ScaledSurface& s) {
+  const std::size_t before = s.facet_count();
+  join_border_vertices(s);
+  CrumbTies(s).run();
+  index_and_orient(s);
+  Closer(s).run();
+  extend_groups(s, before);
+  index_and_orient(s);
+}
 
 void tie_components(ScaledSurface& surface) {
   const std::size_t before = surface.facet_count();

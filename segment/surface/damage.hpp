@@ -8,9 +8,6 @@
 
 namespace ridgecraft::segment {
 
-// Holes of damaged surfaces are closed with facets that take part in everything but the result
-// (docs/design/segmentation.md, "Damaged models").
-
 /// Whether a surface looks damaged: more than a tenth of its edges are borders and it falls into more than 20
 /// components.
 [[nodiscard]] bool looks_damaged(const mesh::Surface& surface);

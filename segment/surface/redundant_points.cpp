@@ -256,89 +256,6 @@ std::vector<std::uint32_t> polygons_of(std::span<const std::uint32_t> polygon,
   return result;
 }
 
-}  // namespace
-
-void Undivided::to_given_numbers(Part& part) const {
-  std::vector<bool> in_part(surface.face_count(), false);
-  for (const FaceId f : part.faces) {
-    in_part[f.value()] = true;
-  }
-  part.faces.clear();
-  for (const FaceId f : ids<FaceId>(face_of.size())) {
-    if (in_part[face_of[f.value()].value()]) {
-      part.faces.push_back(f);
-    }
-  }
-  for (VertexId& v : part.hull_vertices) {
-    v = vertex_of[v.value()];
-  }
-}
-
-Undivided undivide(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
-                   std::span<const std::uint32_t> label) {
-  TriangleFinder finder(surface, label);
-  if (!finder.find_corners() || !finder.find_sides()) {
-    return {};
-  }
-  const std::vector<std::vector<FaceId>> cells = cells_of(surface, finder);
-  std::vector<std::optional<std::array<VertexId, 3>>> triangles;
-  std::vector<bool> stays(surface.component_count(), false);
-  for (const std::vector<FaceId>& cell : cells) {
-    triangles.push_back(finder.triangle_of(cell));
-    if (!triangles.back()) {
-      stays[surface.component(cell[0]).value()] = true;
-    }
-  }
-  std::vector<std::array<VertexId, 3>> faces;
-  Undivided result;
-  result.face_of.resize(surface.face_count());
-  const auto add = [&](const std::array<VertexId, 3>& face, std::span<const FaceId> pieces) {
-    for (const FaceId f : pieces) {
-      result.face_of[f.value()] = FaceId(faces.size());
-    }
-    faces.push_back(face);
-    if (!label.empty()) {
-      result.label.push_back(label[pieces[0].value()]);
-    }
-  };
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!stays[surface.component(cells[i][0]).value()]) {
-      add(*triangles[i], cells[i]);
-    } else {
-      for (const FaceId& f : cells[i]) {
-        add(surface.vertices(f), {&f, 1});
-      }
-    }
-  }
-  if (faces.size() == surface.face_count() || !has_each_side_once(faces)) {
-    return {};
-  }
-  IdVector<VertexId, VertexId> number(surface.vertex_count());
-  for (const auto& face : faces) {
-    for (const VertexId v : face) {
-      number[v] = v;  // any: it stays
-    }
-  }
-  std::vector<Vec3> points;
-  for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
-    if (number[v].valid()) {
-      number[v] = VertexId(points.size());
-      points.push_back(surface.point(v));
-      result.vertex_of.push_back(v);
-    }
-  }
-  for (auto& face : faces) {
-    for (VertexId& v : face) {
-      v = number[v];
-    }
-  }
-  result.polygon = polygons_of(polygon, result.face_of, faces.size());
-  result.surface = mesh::Surface(std::move(points), std::move(faces));
-  return result;
-}
-
-namespace {
-
 /// What is folded up by less is no notch of its own.
 constexpr double least_fold = 5.0 * std::numbers::pi / 180.0;
 /// A fold of less is none.
@@ -451,6 +368,85 @@ void halve(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
 }
 
 }  // namespace
+
+void Undivided::to_given_numbers(Part& part) const {
+  std::vector<bool> in_part(surface.face_count(), false);
+  for (const FaceId f : part.faces) {
+    in_part[f.value()] = true;
+  }
+  part.faces.clear();
+  for (const FaceId f : ids<FaceId>(face_of.size())) {
+    if (in_part[face_of[f.value()].value()]) {
+      part.faces.push_back(f);
+    }
+  }
+  for (VertexId& v : part.hull_vertices) {
+    v = vertex_of[v.value()];
+  }
+}
+
+Undivided undivide(const mesh::Surface& surface, std::span<const std::uint32_t> polygon,
+                   std::span<const std::uint32_t> label) {
+  TriangleFinder finder(surface, label);
+  if (!finder.find_corners() || !finder.find_sides()) {
+    return {};
+  }
+  const std::vector<std::vector<FaceId>> cells = cells_of(surface, finder);
+  std::vector<std::optional<std::array<VertexId, 3>>> triangles;
+  std::vector<bool> stays(surface.component_count(), false);
+  for (const std::vector<FaceId>& cell : cells) {
+    triangles.push_back(finder.triangle_of(cell));
+    if (!triangles.back()) {
+      stays[surface.component(cell[0]).value()] = true;
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  Undivided result;
+  result.face_of.resize(surface.face_count());
+  const auto add = [&](const std::array<VertexId, 3>& face, std::span<const FaceId> pieces) {
+    for (const FaceId f : pieces) {
+      result.face_of[f.value()] = FaceId(faces.size());
+    }
+    faces.push_back(face);
+    if (!label.empty()) {
+      result.label.push_back(label[pieces[0].value()]);
+    }
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (!stays[surface.component(cells[i][0]).value()]) {
+      add(*triangles[i], cells[i]);
+    } else {
+      for (const FaceId& f : cells[i]) {
+        add(surface.vertices(f), {&f, 1});
+      }
+    }
+  }
+  if (faces.size() == surface.face_count() || !has_each_side_once(faces)) {
+    return {};
+  }
+  IdVector<VertexId, VertexId> number(surface.vertex_count());
+  for (const auto& face : faces) {
+    for (const VertexId v : face) {
+      number[v] = v;  // any: it stays
+    }
+  }
+  std::vector<Vec3> points;
+  for (const VertexId v : ids<VertexId>(surface.vertex_count())) {
+    if (number[v].valid()) {
+      number[v] = VertexId(points.size());
+      points.push_back(surface.point(v));
+      result.vertex_of.push_back(v);
+    }
+  }
+  for (auto& face : faces) {
+    for (VertexId& v : face) {
+      v = number[v];
+    }
+  }
+  result.polygon = polygons_of(polygon, result.face_of, faces.size());
+  result.surface = mesh::Surface(std::move(points), std::move(faces));
+  return result;
+}
 
 void DividedValleys::to_given_numbers(Part& part) const {
   for (FaceId& f : part.faces) {

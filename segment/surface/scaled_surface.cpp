@@ -106,44 +106,6 @@ Ball solve_small(Support& support) {
   return best;
 }
 
-}  // namespace
-
-Ball smallest_enclosing_ball(std::span<const Vec3> points) {
-  if (points.empty()) {
-    return {};
-  }
-  Support support;
-  support.points[support.count++] = points[0];
-  Ball ball{points[0], 0.0};
-  for (int round = 0; round < most_pivots; ++round) {
-    double farthest = -1.0;
-    Vec3 at;
-    for (const Vec3 p : points) {
-      const Vec3 d = p - ball.center;
-      const double squared = dot(d, d);
-      if (squared > farthest) {
-        farthest = squared;
-        at = p;
-      }
-    }
-    if (std::sqrt(farthest) <= ball.radius + outside_tolerance) {
-      return ball;
-    }
-    Support next = support;
-    next.points[next.count++] = at;
-    const Ball grown = solve_small(next);
-    if (!(grown.radius > ball.radius) || !std::isfinite(grown.radius)) {
-      // Rounding stands in the way of progress: widen the ball that is there instead.
-      return {ball.center, std::sqrt(farthest)};
-    }
-    support = next;
-    ball = grown;
-  }
-  return ball;
-}
-
-namespace {
-
 void scale_points(const mesh::Surface& surface, ScaledSurface& out) {
   // First by the box, so that huge or far-off coordinates lose nothing in the ball's arithmetic.
   const Box3& box = surface.bounds();
@@ -186,14 +148,14 @@ void number_along_curve(const mesh::Surface& surface, ScaledSurface& out) {
   }
 }
 
-/// As copy_connections(), with the numbers of number_along_curve().
-void renumber_connections(const mesh::Surface& surface, ScaledSurface& out) {
+/// With the numbers of number_along_curve(), where there are any.
+void take_connections(const mesh::Surface& surface, ScaledSurface& out) {
   const std::size_t facets = surface.face_count();
-  std::vector<std::uint32_t> facet(facets);
-  for (std::uint32_t f = 0; f < facets; ++f) {
+  std::vector<std::uint32_t> facet(out.face_of.size());
+  for (std::uint32_t f = 0; f < facet.size(); ++f) {
     facet[out.face_of[f]] = f;
   }
-  std::vector<std::uint32_t> vertex(surface.vertex_count());
+  std::vector<std::uint32_t> vertex(out.vertex_of.size());
   for (std::uint32_t v = 0; v < vertex.size(); ++v) {
     vertex[out.vertex_of[v]] = v;
   }
@@ -201,23 +163,11 @@ void renumber_connections(const mesh::Surface& surface, ScaledSurface& out) {
   out.neighbors.resize(facets);
   for (std::uint32_t f = 0; f < facets; ++f) {
     for (unsigned k = 0; k < 3; ++k) {
-      const CornerId c = mesh::corner(FaceId(out.face_of[f]), k);
+      const CornerId c = mesh::corner(FaceId(facet.empty() ? f : out.face_of[f]), k);
+      const std::uint32_t v = surface.vertex(c).value();
       const FaceId beyond = surface.neighbor(c);
-      out.corners[f][k] = vertex[surface.vertex(c).value()];
-      out.neighbors[f][k] = beyond.valid() ? facet[beyond.value()] : no_index;
-    }
-  }
-}
-
-void copy_connections(const mesh::Surface& surface, ScaledSurface& out) {
-  const std::size_t facets = surface.face_count();
-  out.corners.resize(facets);
-  out.neighbors.resize(facets);
-  for (std::uint32_t f = 0; f < facets; ++f) {
-    for (unsigned k = 0; k < 3; ++k) {
-      const CornerId c = mesh::corner(FaceId(f), k);
-      out.corners[f][k] = surface.vertex(c).value();
-      out.neighbors[f][k] = surface.neighbor(c).value();
+      out.corners[f][k] = vertex.empty() ? v : vertex[v];
+      out.neighbors[f][k] = facet.empty() || !beyond.valid() ? beyond.value() : facet[beyond.value()];
     }
   }
 }
@@ -300,6 +250,40 @@ void find_groups(std::span<const std::uint32_t> polygon, ScaledSurface& s) {
 
 }  // namespace
 
+Ball smallest_enclosing_ball(std::span<const Vec3> points) {
+  if (points.empty()) {
+    return {};
+  }
+  Support support;
+  support.points[support.count++] = points[0];
+  Ball ball{points[0], 0.0};
+  for (int round = 0; round < most_pivots; ++round) {
+    double farthest = -1.0;
+    Vec3 at;
+    for (const Vec3 p : points) {
+      const Vec3 d = p - ball.center;
+      const double squared = dot(d, d);
+      if (squared > farthest) {
+        farthest = squared;
+        at = p;
+      }
+    }
+    if (std::sqrt(farthest) <= ball.radius + outside_tolerance) {
+      return ball;
+    }
+    Support next = support;
+    next.points[next.count++] = at;
+    const Ball grown = solve_small(next);
+    if (!(grown.radius > ball.radius) || !std::isfinite(grown.radius)) {
+      // Rounding stands in the way of progress: widen the ball that is there instead.
+      return {ball.center, std::sqrt(farthest)};
+    }
+    support = next;
+    ball = grown;
+  }
+  return ball;
+}
+
 void extend_groups(ScaledSurface& s, std::size_t facets_before) {
   if (s.group.empty()) {
     return;
@@ -323,17 +307,15 @@ ScaledSurface scale_surface(const mesh::Surface& surface, std::span<const std::u
   std::vector<std::uint32_t> renumbered_polygon;
   if (numbering == Numbering::along_curve) {
     number_along_curve(surface, scaled);
-    renumber_connections(surface, scaled);
     if (!polygon.empty()) {
-      RIDGECRAFT_ASSERT(polygon.size() == scaled.facet_count());
+      RIDGECRAFT_ASSERT(polygon.size() == surface.face_count());
       for (const std::uint32_t f : scaled.face_of) {
         renumbered_polygon.push_back(polygon[f]);
       }
       polygon = renumbered_polygon;
     }
-  } else {
-    copy_connections(surface, scaled);
   }
+  take_connections(surface, scaled);
   index_and_orient(scaled);
   find_groups(polygon, scaled);
   return scaled;

@@ -87,9 +87,6 @@ struct Ball {
 /// why".
 [[nodiscard]] Ball smallest_enclosing_ball(std::span<const Vec3> points);
 
-// The surface as the segmentation sees it: in the scale of its enclosing ball, on an exact grid, in flat
-// arrays.
-
 /// Facets of a part, ascending.
 using Facets = std::vector<std::uint32_t>;
 
