@@ -97,24 +97,8 @@ void check_plane(const Case& given, Index model_face, Findings& findings) {
   }
 }
 
-}  // namespace
-
-void check_lengths(const Case& given, Findings& findings) {
-  for (Index face = 0; face < given.file.faces.faces(); ++face) {
-    given.context.check();
-    const Polygon polygon = given.file.polygon(face);
-    check_congruence(given, face, polygon, findings);
-    check_shape(given, face, polygon, findings);
-  }
-  for (Index face = 0; face < given.file.model.faces.faces(); ++face) {
-    check_plane(given, face, findings);
-  }
-}
-
 // Promise 2: no two faces of a page overlap, and tabs overlap nothing. All pairs whose boxes meet are
 // measured.
-
-namespace {
 
 /// The convex parts of everything that lies on the pages. Items are the faces, then the tabs.
 struct Parts {
@@ -127,7 +111,7 @@ struct Parts {
 
 void add_item(const Polygon& outline, Index page, const Context& context, Parts& parts) {
   for (Polygon& part : convex_parts(outline, context)) {
-    parts.boxes.push_back(bounding_box(part));
+    parts.boxes.push_back(box_of(part));
     parts.polygons.push_back(std::move(part));
     parts.item.push_back(static_cast<Index>(parts.page.size()));
   }
@@ -152,27 +136,9 @@ Parts collect(const Case& given) {
 }
 
 /// The parts of one page, to be searched by box.
-class PageSearch {
- public:
-  PageSearch(const Parts& parts, const std::vector<Index>& numbers)
-      : numbers_(numbers), tree_(boxes(parts, numbers)) {}
-
-  template <typename Visit>
-  void for_each_near(const Box2& box, Visit&& visit) const {
-    tree_.for_each_overlapping(box, [&](std::size_t i) { visit(numbers_[i]); });
-  }
-
- private:
-  static std::vector<Box2> boxes(const Parts& parts, const std::vector<Index>& numbers) {
-    std::vector<Box2> result;
-    for (const Index part : numbers) {
-      result.push_back(parts.boxes[part]);
-    }
-    return result;
-  }
-
-  std::vector<Index> numbers_;
-  BoxFinder tree_;
+struct PageSearch {
+  std::vector<Index> numbers;
+  BoxFinder tree;
 };
 
 std::map<Index, PageSearch> search_by_page(const Parts& parts) {
@@ -182,7 +148,11 @@ std::map<Index, PageSearch> search_by_page(const Parts& parts) {
   }
   std::map<Index, PageSearch> result;
   for (const auto& [page, numbers] : of_page) {
-    result.emplace(page, PageSearch(parts, numbers));
+    std::vector<Box2> boxes;
+    for (const Index part : numbers) {
+      boxes.push_back(parts.boxes[part]);
+    }
+    result.emplace(page, PageSearch{numbers, BoxFinder(boxes)});
   }
   return result;
 }
@@ -201,8 +171,10 @@ class Measure {
   /// greatest depth.
   [[nodiscard]] std::vector<Overlap> later_overlaps(Index item) {
     std::vector<Overlap> found;
+    const PageSearch& page = pages_.at(parts_.page[item]);
     for (Index part = parts_.first[item]; part < parts_.first[item + 1]; ++part) {
-      pages_.at(parts_.page[item]).for_each_near(parts_.boxes[part], [&](Index other) {
+      page.tree.for_each_overlapping(parts_.boxes[part], [&](std::size_t i) {
+        const Index other = page.numbers[i];
         if (parts_.item[other] > item && !given_up()) {
           measure(part, other, found);
         }
@@ -260,30 +232,7 @@ void add_overlap(const File& file, Index a, Index b, double depth, Findings& fin
   }
 }
 
-}  // namespace
-
-void check_overlap(const Case& given, Findings& findings) {
-  const Parts parts = collect(given);
-  Measure measure(parts);
-  for (Index item = 0; item < parts.page.size() && !measure.given_up(); ++item) {
-    given.context.check();
-    for (const Overlap& overlap : measure.later_overlaps(item)) {
-      add_overlap(given.file, item, overlap.other, overlap.depth, findings);
-    }
-  }
-  findings.figures().max_penetration_mm = measure.deepest();
-  if (measure.given_up()) {
-    findings.add(Promise::no_overlap, {}, [&] {
-      const Figures& figures = findings.figures();
-      return fmt::format("so much lies on each other that counting stopped at {} overlaps",
-                         figures.overlaps + figures.tab_overlaps);
-    });
-  }
-}
-
 // Promise 3: every model face is one net face, and every piece has the parts that it states.
-
-namespace {
 
 void check_model_faces(const Case& given, Findings& findings) {
   Figures& figures = findings.figures();
@@ -314,40 +263,11 @@ std::vector<std::vector<std::int64_t>> parts_of_pieces(const File& file) {
   return parts;
 }
 
-}  // namespace
-
-void check_coverage(const Case& given, Findings& findings) {
-  check_model_faces(given, findings);
-  const File& file = given.file;
-  const std::vector<std::vector<std::int64_t>> parts = parts_of_pieces(file);
-  for (Index p = 0; p < file.pieces.size(); ++p) {
-    const Piece& piece = file.pieces[p];
-    std::vector<std::int64_t> stated = piece.parts;
-    std::sort(stated.begin(), stated.end());
-    const bool part_fits = parts[p].size() == 1 ? piece.part == parts[p].front() : !piece.part.has_value();
-    if (parts[p].empty()) {
-      findings.add(Promise::coverage, {{"piece", p}},
-                   [&] { return fmt::format("{} has no face", piece_name(file, p)); });
-    } else if (stated != parts[p]) {
-      findings.add(Promise::coverage, {{"piece", p}}, [&] {
-        return fmt::format("{} doesn't state the parts that its faces have, each once", piece_name(file, p));
-      });
-    } else if (!part_fits) {
-      findings.add(Promise::coverage, {{"piece", p}}, [&] {
-        return fmt::format("\"part\" of {} doesn't go with the {} part{} of its faces", piece_name(file, p),
-                           parts[p].size(), parts[p].size() == 1 ? "" : "s");
-      });
-    }
-  }
-}
-
 // Promise 4: everything lies on the printable area of its page, and pages don't overlap.
-
-namespace {
 
 /// How far the polygon reaches out of the printable area, mm; not positive if it is inside.
 double excess(std::span<const Vec2> polygon, const Page& page) {
-  const Box2 box = bounding_box(polygon);
+  const Box2 box = box_of(polygon);
   return std::max({page.printable_low.x - box.low.x, page.printable_low.y - box.low.y,
                    box.high.x - page.printable_high.x, box.high.y - page.printable_high.y});
 }
@@ -390,6 +310,62 @@ void check_pages_apart(const File& file, Findings& findings) {
 }
 
 }  // namespace
+
+void check_lengths(const Case& given, Findings& findings) {
+  for (Index face = 0; face < given.file.faces.faces(); ++face) {
+    given.context.check();
+    const Polygon polygon = given.file.polygon(face);
+    check_congruence(given, face, polygon, findings);
+    check_shape(given, face, polygon, findings);
+  }
+  for (Index face = 0; face < given.file.model.faces.faces(); ++face) {
+    check_plane(given, face, findings);
+  }
+}
+
+void check_overlap(const Case& given, Findings& findings) {
+  const Parts parts = collect(given);
+  Measure measure(parts);
+  for (Index item = 0; item < parts.page.size() && !measure.given_up(); ++item) {
+    given.context.check();
+    for (const Overlap& overlap : measure.later_overlaps(item)) {
+      add_overlap(given.file, item, overlap.other, overlap.depth, findings);
+    }
+  }
+  findings.figures().max_penetration_mm = measure.deepest();
+  if (measure.given_up()) {
+    findings.add(Promise::no_overlap, {}, [&] {
+      const Figures& figures = findings.figures();
+      return fmt::format("so much lies on each other that counting stopped at {} overlaps",
+                         figures.overlaps + figures.tab_overlaps);
+    });
+  }
+}
+
+void check_coverage(const Case& given, Findings& findings) {
+  check_model_faces(given, findings);
+  const File& file = given.file;
+  const std::vector<std::vector<std::int64_t>> parts = parts_of_pieces(file);
+  for (Index p = 0; p < file.pieces.size(); ++p) {
+    const Piece& piece = file.pieces[p];
+    std::vector<std::int64_t> stated = piece.parts;
+    std::sort(stated.begin(), stated.end());
+    const bool part_fits = parts[p].size() == 1 ? piece.part == parts[p].front() : !piece.part.has_value();
+    if (parts[p].empty()) {
+      findings.add(Promise::coverage, {{"piece", p}},
+                   [&] { return fmt::format("{} has no face", piece_name(file, p)); });
+    } else if (stated != parts[p]) {
+      findings.add(Promise::coverage, {{"piece", p}}, [&] {
+        return fmt::format("{} doesn't state the parts that its faces have, each once", piece_name(file, p));
+      });
+    } else if (!part_fits) {
+      findings.add(Promise::coverage, {{"piece", p}}, [&] {
+        return fmt::format("\"part\" of {} doesn't go with the {} part{} of its faces", piece_name(file, p),
+                           parts[p].size(), parts[p].size() == 1 ? "" : "s");
+      });
+    }
+  }
+}
 
 void check_bounds(const Case& given, Findings& findings) {
   const File& file = given.file;

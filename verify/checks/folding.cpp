@@ -123,20 +123,7 @@ void check_corners(const Case& given, const FoldedCorners& corners, Findings& fi
   }
 }
 
-}  // namespace
-
-void check_refold(const Case& given, Findings& findings) {
-  std::vector<bool> done(given.file.faces.faces(), false);
-  for (Index face = 0; face < given.file.faces.faces(); ++face) {
-    if (!done[face]) {
-      check_corners(given, corners_of(given, fold_from(given, face, done)), findings);
-    }
-  }
-}
-
 // Promise 7: the folds of each piece, each once, in an order in which paper can be folded.
-
-namespace {
 
 class OrderCheck {
  public:
@@ -171,17 +158,14 @@ class OrderCheck {
                   [&] { return fmt::format("the fold order of {} {}", piece_name(file_, piece), words); });
   }
 
-  [[nodiscard]] Index piece_of(Index edge) const {
-    return file_.face_piece[file_.faces.face(relations_.sides_of(edge).front())];
-  }
-
   void check_steps(Index piece) {
     for (std::size_t step = 0; step < steps(piece).size(); ++step) {
       for (const Index edge : steps(piece)[step]) {
+        const Index own = piece_of_edge(file_, relations_, edge);
         if (file_.edges[edge].assignment == Assignment::cut) {
           add(piece, edge, fmt::format("names edge {}, which is no fold", edge));
-        } else if (piece_of(edge) != piece) {
-          add(piece, edge, fmt::format("names edge {} of {}", edge, piece_name(file_, piece_of(edge))));
+        } else if (own != piece) {
+          add(piece, edge, fmt::format("names edge {} of {}", edge, piece_name(file_, own)));
         } else if (step_of_[edge] != none) {
           add(piece, edge, fmt::format("names edge {} twice", edge));
         } else if (file_.is_ours() && file_.edges[edge].assignment == Assignment::flat) {
@@ -252,17 +236,7 @@ class OrderCheck {
   bool sound_ = true;                         ///< so far, of the piece that is looked at
 };
 
-}  // namespace
-
-void check_fold_order(const Case& given, Findings& findings) {
-  if (given.file.fold_order) {
-    OrderCheck(given, findings).run();
-  }
-}
-
 // Promise 7, in motion: do the pieces run through themselves while they are folded in their order?
-
-namespace {
 
 using Corners = std::array<Vec3, 3>;
 using Pair = std::pair<Index, Index>;
@@ -450,8 +424,7 @@ class Folder {
         box.add({corners[k].x, corners[k].y});
       }
       // A face that stands upright has a box without area, which would meet nothing.
-      box.low = box.low - Vec2{seam, seam};
-      box.high = box.high + Vec2{seam, seam};
+      box = grown(box, seam);
       number.push_back(i);
     }
     return pairs_that_meet(solid, number, boxes);
@@ -522,6 +495,21 @@ bool has_to_work(const std::vector<std::vector<Index>>& creases_of_step, const s
 }
 
 }  // namespace
+
+void check_refold(const Case& given, Findings& findings) {
+  std::vector<bool> done(given.file.faces.faces(), false);
+  for (Index face = 0; face < given.file.faces.faces(); ++face) {
+    if (!done[face]) {
+      check_corners(given, corners_of(given, fold_from(given, face, done)), findings);
+    }
+  }
+}
+
+void check_fold_order(const Case& given, Findings& findings) {
+  if (given.file.fold_order) {
+    OrderCheck(given, findings).run();
+  }
+}
 
 void check_fold_motion(const Case& given, Findings& findings) {
   const File& file = given.file;

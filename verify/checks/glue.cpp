@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/boxes.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/geometry.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
@@ -179,10 +180,7 @@ class GlueCheck {
     }
     std::vector<Box2> boxes;
     for (const FoldedTriangle& pair : pairs_[piece]) {
-      Box2& box = boxes.emplace_back();
-      for (const Vec2 p : pair.flat) {
-        box.add(p);
-      }
+      boxes.push_back(box_of(pair.flat));
     }
     return finders_.emplace(piece, BoxFinder(boxes)).first->second;
   }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/disjoint_sets.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/tolerance.hpp"
@@ -271,17 +272,8 @@ class JoinCheck {
   std::vector<bool> matched_;    ///< per join: it is the join of a cut
 };
 
-}  // namespace
-
-void check_joins(const Case& given, Findings& findings) {
-  findings.figures().joins = given.file.joins.size();
-  JoinCheck(given, findings).run();
-}
-
 // Promise 5, the nets by themselves: edges have the faces that their assignment says, and each piece is one
 // disc, with as many round holes as it states.
-
-namespace {
 
 const char* words_for(EdgeFlaw flaw) {
   switch (flaw) {
@@ -414,6 +406,11 @@ void check_patch(const File& file, Index p, const Patch& patch, Findings& findin
 }
 
 }  // namespace
+
+void check_joins(const Case& given, Findings& findings) {
+  findings.figures().joins = given.file.joins.size();
+  JoinCheck(given, findings).run();
+}
 
 void check_patches(const Case& given, Findings& findings) {
   check_edges(given, findings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the knife cuts: lengths, and pieces that it can't cut out or that fall apart.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -33,38 +34,7 @@ double angle_at_base(const Case& given, const Tab& tab) {
              : 0.0;
 }
 
-}  // namespace
-
-void measure_cuts(const Case& given, Findings& findings) {
-  const File& file = given.file;
-  double& cut = findings.figures().cut_mm;
-  double& fold = findings.figures().fold_mm;
-  double& unlined = findings.figures().unlined_fold_mm;
-  const double hidden_deg = file.settings.number("hide_folds_deg").value_or(default_hidden_deg);
-  for (const Edge& edge : file.edges) {
-    const double size = length(file.points[edge.ends[1]] - file.points[edge.ends[0]]);
-    if (edge.assignment == Assignment::cut) {
-      cut += size;
-    } else if (edge.assignment != Assignment::flat) {
-      fold += size;
-      unlined += std::abs(edge.angle_deg) < hidden_deg ? size : 0.0;
-    }
-  }
-  for (const Tab& tab : file.tabs) {
-    const double base = length(tab.polygon[1] - tab.polygon[0]);
-    fold += base;
-    unlined += std::abs(angle_at_base(given, tab)) < hidden_deg ? base : 0.0;
-    cut -= base;
-    cut += tab.slit ? length((*tab.slit)[1] - (*tab.slit)[0]) : 0.0;
-    for (std::size_t k = 1; k < tab.polygon.size(); ++k) {
-      cut += length(tab.polygon[(k + 1) % tab.polygon.size()] - tab.polygon[k]);
-    }
-  }
-}
-
 // The figure narrow_pieces: what no knife cuts out, though it might hang on another piece.
-
-namespace {
 
 /// The distance of the two parallel lines between which these corners of a convex polygon lie, at its least.
 double width_of(const std::vector<Vec2>& hull) {
@@ -80,39 +50,9 @@ double width_of(const std::vector<Vec2>& hull) {
   return least;
 }
 
-}  // namespace
-
-void count_narrow_pieces(const Case& given, Findings& findings) {
-  const File& file = given.file;
-  std::vector<std::vector<Vec2>> corners(file.pieces.size());
-  for (Index face = 0; face < file.faces.faces(); ++face) {
-    for (const Vec2 p : file.polygon(face)) {
-      corners[file.face_piece[face]].push_back(p);
-    }
-  }
-  const auto piece_of = [&](Index edge) {
-    return file.face_piece[file.faces.face(given.relations.sides_of(edge).front())];
-  };
-  std::vector<char> meets_another(file.pieces.size(), 0);
-  for (const Join& join : file.joins) {
-    const Index first = piece_of(join.edges[0]);
-    const Index second = piece_of(join.edges[1]);
-    if (first != second) {
-      meets_another[first] = meets_another[second] = 1;
-    }
-  }
-  for (Index piece = 0; piece < file.pieces.size(); ++piece) {
-    const bool narrow =
-        meets_another[piece] != 0 && width_of(convex_hull(std::move(corners[piece]))) < least_piece_mm;
-    findings.figures().narrow_pieces += narrow ? 1 : 0;
-  }
-}
-
 // The figure thin_necks: pieces that would tear in the hand, because two stretches of them hang together by a
 // thread of paper. A neck is looked for as the shortest way across the paper from a corner of the outline to
 // a side of it: wherever paper is narrow, one end of its narrowest place is a corner.
-
-namespace {
 
 /// A closed line of cut edges round the paper, or round a hole in it.
 struct Loop {
@@ -194,9 +134,7 @@ class Necks {
 
   /// All that may be a neck away from a segment.
   [[nodiscard]] static Box2 around(Vec2 a, Vec2 b) {
-    const Vec2 reach{0.5 * least_neck_mm, 0.5 * least_neck_mm};
-    return {Vec2{std::min(a.x, b.x), std::min(a.y, b.y)} - reach,
-            Vec2{std::max(a.x, b.x), std::max(a.y, b.y)} + reach};
+    return grown(box_of(std::array{a, b}), 0.5 * least_neck_mm);
   }
 
   void find_loops() {
@@ -285,6 +223,56 @@ class Necks {
 };
 
 }  // namespace
+
+void measure_cuts(const Case& given, Findings& findings) {
+  const File& file = given.file;
+  double& cut = findings.figures().cut_mm;
+  double& fold = findings.figures().fold_mm;
+  double& unlined = findings.figures().unlined_fold_mm;
+  const double hidden_deg = file.settings.number("hide_folds_deg").value_or(default_hidden_deg);
+  for (const Edge& edge : file.edges) {
+    const double size = length(file.points[edge.ends[1]] - file.points[edge.ends[0]]);
+    if (edge.assignment == Assignment::cut) {
+      cut += size;
+    } else if (edge.assignment != Assignment::flat) {
+      fold += size;
+      unlined += std::abs(edge.angle_deg) < hidden_deg ? size : 0.0;
+    }
+  }
+  for (const Tab& tab : file.tabs) {
+    const double base = length(tab.polygon[1] - tab.polygon[0]);
+    fold += base;
+    unlined += std::abs(angle_at_base(given, tab)) < hidden_deg ? base : 0.0;
+    cut -= base;
+    cut += tab.slit ? length((*tab.slit)[1] - (*tab.slit)[0]) : 0.0;
+    for (std::size_t k = 1; k < tab.polygon.size(); ++k) {
+      cut += length(tab.polygon[(k + 1) % tab.polygon.size()] - tab.polygon[k]);
+    }
+  }
+}
+
+void count_narrow_pieces(const Case& given, Findings& findings) {
+  const File& file = given.file;
+  std::vector<std::vector<Vec2>> corners(file.pieces.size());
+  for (Index face = 0; face < file.faces.faces(); ++face) {
+    for (const Vec2 p : file.polygon(face)) {
+      corners[file.face_piece[face]].push_back(p);
+    }
+  }
+  std::vector<char> meets_another(file.pieces.size(), 0);
+  for (const Join& join : file.joins) {
+    const Index first = piece_of_edge(file, given.relations, join.edges[0]);
+    const Index second = piece_of_edge(file, given.relations, join.edges[1]);
+    if (first != second) {
+      meets_another[first] = meets_another[second] = 1;
+    }
+  }
+  for (Index piece = 0; piece < file.pieces.size(); ++piece) {
+    const bool narrow =
+        meets_another[piece] != 0 && width_of(convex_hull(std::move(corners[piece]))) < least_piece_mm;
+    findings.figures().narrow_pieces += narrow ? 1 : 0;
+  }
+}
 
 void count_thin_necks(const Case& given, Findings& findings) {
   findings.figures().thin_necks = Necks(given).thin_pieces();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/disjoint_sets.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/polygon.hpp"

@@ -184,54 +184,6 @@ void check_together(const Settings& settings, std::vector<std::string>& faults) 
   }
 }
 
-}  // namespace
-
-bool is_true(const Settings& settings, std::string_view name) {
-  const Setting* const value = settings.find(name);
-  const bool* const answer = value == nullptr ? nullptr : std::get_if<bool>(value);
-  return answer != nullptr && *answer;
-}
-
-const Setting* searched_with(const Settings& settings, std::string_view name) {
-  return settings.find(std::string(searched_prefix) + std::string(name));
-}
-
-bool is_hash(std::string_view text) {
-  constexpr std::size_t fewest = 8;
-  constexpr std::size_t most = 64;
-  return text.size() >= fewest && text.size() <= most &&
-         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
-std::vector<std::string> faults_of_settings(const Settings& settings) {
-  std::vector<std::string> faults;
-  const bool with_pages = !has(settings, "whole");
-  for (const auto& [name, value] : settings.all) {
-    const bool earlier = name.starts_with(searched_prefix);
-    const Known* const known =
-        find_known(std::string_view(name).substr(earlier ? searched_prefix.size() : 0));
-    if (known == nullptr) {
-      faults.push_back(fmt::format("unknown setting {}", quote(name)));
-      continue;
-    }
-    if (!known->fits(value, known->row)) {
-      faults.push_back(fmt::format("the setting \"{}\" has a value that no option takes", name));
-    }
-    if (!earlier && !is_allowed(*known, with_pages)) {
-      faults.push_back(fmt::format("the settings can't have \"{}\"", name));
-    }
-  }
-  for (const auto& [name, known] : known_settings()) {
-    if (name != weight_prefix && is_needed(known, with_pages) && !has(settings, name)) {
-      faults.push_back(fmt::format("the settings lack \"{}\"", name));
-    }
-  }
-  check_together(settings, faults);
-  return faults;
-}
-
-namespace {
-
 /// The nets against settings that are known to be right by themselves.
 class Contradictions {
  public:
@@ -299,17 +251,17 @@ class Contradictions {
     std::vector<PieceLine> lines = lines_of_pieces();
     std::vector<Box2> boxes;
     for (const PieceLine& line : lines) {
-      boxes.push_back(bounding_box(line.ends));
+      boxes.push_back(box_of(line.ends));
     }
     const BoxFinder tree(boxes);
     std::set<std::pair<Index, Index>> close;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       given_.context.check();
-      const Vec2 reach{gap, gap};
-      tree.for_each_overlapping({boxes[i].low - reach, boxes[i].high + reach}, [&](std::size_t k) {
+      tree.for_each_overlapping(grown(boxes[i], gap), [&](std::size_t k) {
         const auto pair = std::minmax(lines[i].piece, lines[k].piece);
         if (pair.first != pair.second && file_.pieces[pair.first].page == file_.pieces[pair.second].page &&
-            !close.contains(pair) && apart(lines[i].ends, lines[k].ends) < gap) {
+            !close.contains(pair) &&
+            segment_distance(lines[i].ends[0], lines[i].ends[1], lines[k].ends[0], lines[k].ends[1]) < gap) {
           close.insert(pair);
         }
       });
@@ -326,29 +278,20 @@ class Contradictions {
   };
   /// Cut edges and the sides of tabs.
   [[nodiscard]] std::vector<PieceLine> lines_of_pieces() const {
-    const auto piece = [&](Index edge) {
-      return file_.face_piece[file_.faces.face(given_.relations.sides_of(edge).front())];
-    };
     std::vector<PieceLine> lines;
     for (Index e = 0; e < file_.edges.size(); ++e) {
       if (file_.edges[e].assignment == Assignment::cut) {
         const auto [a, b] = file_.edges[e].ends;
-        lines.push_back({{file_.points[a], file_.points[b]}, piece(e)});
+        lines.push_back({{file_.points[a], file_.points[b]}, piece_of_edge(file_, given_.relations, e)});
       }
     }
     for (const Tab& tab : file_.tabs) {
+      const Index piece = piece_of_edge(file_, given_.relations, tab.edge);
       for (std::size_t k = 0; k < tab.polygon.size(); ++k) {
-        lines.push_back({{tab.polygon[k], tab.polygon[(k + 1) % tab.polygon.size()]}, piece(tab.edge)});
+        lines.push_back({{tab.polygon[k], tab.polygon[(k + 1) % tab.polygon.size()]}, piece});
       }
     }
     return lines;
-  }
-  /// Distance of two segments that don't cross.
-  static double apart(const std::array<Vec2, 2>& s, const std::array<Vec2, 2>& t) {
-    const auto from_point = [](Vec2 p, const std::array<Vec2, 2>& segment) {
-      return distance_to_segment(p, segment[0], segment[1]);
-    };
-    return std::min({from_point(s[0], t), from_point(s[1], t), from_point(t[0], s), from_point(t[1], s)});
   }
 
   void check_tabs() {
@@ -431,6 +374,50 @@ class Contradictions {
 };
 
 }  // namespace
+
+bool is_true(const Settings& settings, std::string_view name) {
+  const Setting* const value = settings.find(name);
+  const bool* const answer = value == nullptr ? nullptr : std::get_if<bool>(value);
+  return answer != nullptr && *answer;
+}
+
+const Setting* searched_with(const Settings& settings, std::string_view name) {
+  return settings.find(std::string(searched_prefix) + std::string(name));
+}
+
+bool is_hash(std::string_view text) {
+  constexpr std::size_t fewest = 8;
+  constexpr std::size_t most = 64;
+  return text.size() >= fewest && text.size() <= most &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::vector<std::string> faults_of_settings(const Settings& settings) {
+  std::vector<std::string> faults;
+  const bool with_pages = !has(settings, "whole");
+  for (const auto& [name, value] : settings.all) {
+    const bool earlier = name.starts_with(searched_prefix);
+    const Known* const known =
+        find_known(std::string_view(name).substr(earlier ? searched_prefix.size() : 0));
+    if (known == nullptr) {
+      faults.push_back(fmt::format("unknown setting {}", quote(name)));
+      continue;
+    }
+    if (!known->fits(value, known->row)) {
+      faults.push_back(fmt::format("the setting \"{}\" has a value that no option takes", name));
+    }
+    if (!earlier && !is_allowed(*known, with_pages)) {
+      faults.push_back(fmt::format("the settings can't have \"{}\"", name));
+    }
+  }
+  for (const auto& [name, known] : known_settings()) {
+    if (name != weight_prefix && is_needed(known, with_pages) && !has(settings, name)) {
+      faults.push_back(fmt::format("the settings lack \"{}\"", name));
+    }
+  }
+  check_together(settings, faults);
+  return faults;
+}
 
 std::vector<std::string> contradictions(const Case& given) {
   return Contradictions(given).find();

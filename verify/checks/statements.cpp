@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/disjoint_sets.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/checks/settings.hpp"
 #include "verify/file/tolerance.hpp"
@@ -114,16 +115,8 @@ class StatementCheck {
   Findings& findings_;
 };
 
-}  // namespace
-
-void check_statements(const Case& given, Findings& findings) {
-  StatementCheck(given, findings).run();
-}
-
 // Promise 8: pieces that are said to be equal can be laid on each other, with their folds, and with their
 // tabs unless these are said to differ.
-
-namespace {
 
 struct Stroke {
   Vec2 from, to;
@@ -339,16 +332,8 @@ class EqualPieceCheck {
   std::vector<bool> named_;  ///< per piece: among equal pieces
 };
 
-}  // namespace
-
-void check_equal_pieces(const Case& given, Findings& findings) {
-  EqualPieceCheck(given, findings).run();
-}
-
 // Promise 8: the order of assembly names each piece once, each join where both its pieces stand, and goes on
 // from what stands.
-
-namespace {
 
 class AssemblyCheck {
  public:
@@ -448,6 +433,14 @@ class AssemblyCheck {
 };
 
 }  // namespace
+
+void check_statements(const Case& given, Findings& findings) {
+  StatementCheck(given, findings).run();
+}
+
+void check_equal_pieces(const Case& given, Findings& findings) {
+  EqualPieceCheck(given, findings).run();
+}
 
 void check_assembly(const Case& given, Findings& findings) {
   if (given.file.assembly) {

@@ -61,11 +61,9 @@ class TabCheck {
       check_joins_known();
       check_edges();
     }
-    const auto piece = [this](Index e) {
-      return file_.face_piece[file_.faces.face(relations_.sides_of(e).front())];
-    };
+    const Index piece = piece_of_edge(file_, relations_, tab_.edge);
     if (std::any_of(tab_.edges.begin(), tab_.edges.end(),
-                    [&](Index e) { return piece(e) != piece(tab_.edge); })) {
+                    [&](Index e) { return piece_of_edge(file_, relations_, e) != piece; })) {
       add("grows from edges of several pieces");
     } else {
       check_base();
@@ -211,21 +209,8 @@ class TabCheck {
   Findings& findings_;
 };
 
-}  // namespace
-
-void check_tabs(const Case& given, Findings& findings) {
-  findings.figures().tabs = given.file.tabs.size();
-  const std::vector<std::vector<Index>> joins = joins_of_tabs(given.file);
-  for (Index tab = 0; tab < given.file.tabs.size(); ++tab) {
-    given.context.check();
-    TabCheck(given, tab, joins[tab], findings).run();
-  }
-}
-
 // Promise 5, slits: each lies where its tab comes when it is laid on the face beyond its edge, lets the neck
 // through and holds the head, and keeps away from all cuts and folds of its piece and from other slits.
-
-namespace {
 
 struct SlitLine {
   Vec2 a, b;
@@ -236,9 +221,7 @@ double apart(const SlitLine& s, const SlitLine& t) {
   const Vec2 other = t.b - t.a;
   const bool crosses = cross(along, t.a - s.a) * cross(along, t.b - s.a) < 0.0 &&
                        cross(other, s.a - t.a) * cross(other, s.b - t.a) < 0.0;
-  return crosses ? 0.0
-                 : std::min({distance_to_segment(s.a, t.a, t.b), distance_to_segment(s.b, t.a, t.b),
-                             distance_to_segment(t.a, s.a, s.b), distance_to_segment(t.b, s.a, s.b)});
+  return crosses ? 0.0 : segment_distance(s.a, s.b, t.a, t.b);
 }
 
 class SlitCheck {
@@ -367,16 +350,8 @@ class SlitCheck {
   std::map<Index, std::vector<Index>> faces_;
 };
 
-}  // namespace
-
-void check_slits(const Case& given, Findings& findings) {
-  SlitCheck(given, findings).run();
-}
-
 // Promise 5: no tab hangs on a strip or a point of paper. From places along its base one must get far enough
 // straight into the piece, over folds, before a cut is reached.
-
-namespace {
 
 /// Places that are looked at on each edge, and sides that one look may cross.
 constexpr int places = 15;
@@ -462,6 +437,19 @@ class PaperCheck {
 };
 
 }  // namespace
+
+void check_tabs(const Case& given, Findings& findings) {
+  findings.figures().tabs = given.file.tabs.size();
+  const std::vector<std::vector<Index>> joins = joins_of_tabs(given.file);
+  for (Index tab = 0; tab < given.file.tabs.size(); ++tab) {
+    given.context.check();
+    TabCheck(given, tab, joins[tab], findings).run();
+  }
+}
+
+void check_slits(const Case& given, Findings& findings) {
+  SlitCheck(given, findings).run();
+}
 
 void check_paper_behind_tabs(const Case& given, Findings& findings) {
   const PaperCheck check(given);

@@ -60,17 +60,6 @@ class FaceList {
 /// α(n)).
 [[nodiscard]] std::vector<Index> corner_fans(const FaceList& faces, std::span<const Index> twin);
 
-/// Sets that are joined two by two (Tarjan 1975): path halving, the smaller number is the name of a set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count);
-  [[nodiscard]] Index find(Index x);
-  void join(Index a, Index b);
-
- private:
-  std::vector<Index> parent_;
-};
-
 enum class Assignment : char { cut = 'B', mountain = 'M', valley = 'V', flat = 'F' };
 
 struct Edge {

@@ -2,10 +2,10 @@
 // Promise 0: bytes become a File, or a reason why they can't. The schema checks each value by itself; what
 // has to hold between values is checked here.
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "verify/file/file.hpp"
 #include "verify/file/schema.hpp"
 
@@ -16,27 +16,6 @@ void FaceList::add(std::span<const Index> vertices) {
   vertex_.insert(vertex_.end(), vertices.begin(), vertices.end());
   face_.insert(face_.end(), vertices.size(), number);
   first_.push_back(static_cast<Index>(vertex_.size()));
-}
-
-DisjointSets::DisjointSets(std::size_t count) : parent_(count) {
-  std::iota(parent_.begin(), parent_.end(), Index{0});
-}
-
-Index DisjointSets::find(Index x) {
-  while (parent_[x] != x) {
-    parent_[x] = parent_[parent_[x]];
-    x = parent_[x];
-  }
-  return x;
-}
-
-void DisjointSets::join(Index a, Index b) {
-  a = find(a);
-  b = find(b);
-  if (a > b) {
-    std::swap(a, b);
-  }
-  parent_[b] = a;
 }
 
 std::vector<Index> corner_fans(const FaceList& faces, std::span<const Index> twin) {

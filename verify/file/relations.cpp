@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
 #include "verify/file/schema.hpp"
 #include "verify/file/tolerance.hpp"
@@ -90,6 +91,26 @@ void measure_model(const Model& model, Relations& relations) {
   }
 }
 
+/// Whether each crease moves one further plate, and none that is nearer to the middle than one before.
+bool grows_from(Index middle, std::span<const Crease* const> order) {
+  std::map<Index, Index> depth{{middle, 0}};
+  Index deepest = 0;
+  for (const Crease* crease : order) {
+    const auto first = depth.find(crease->first);
+    const auto second = depth.find(crease->second);
+    if ((first == depth.end()) == (second == depth.end())) {
+      return false;
+    }
+    const Index now = (first != depth.end() ? first : second)->second + 1;
+    if (now < deepest) {
+      return false;
+    }
+    deepest = now;
+    depth[first != depth.end() ? crease->second : crease->first] = now;
+  }
+  return true;
+}
+
 }  // namespace
 
 Index target_of_slit(const File& file, const Relations& relations, Index tab) {
@@ -164,30 +185,6 @@ ModelFold model_fold(const File& file, const Relations& relations, Index model_s
   return fold;
 }
 
-namespace {
-
-/// Whether each crease moves one further plate, and none that is nearer to the middle than one before.
-bool grows_from(Index middle, std::span<const Crease* const> order) {
-  std::map<Index, Index> depth{{middle, 0}};
-  Index deepest = 0;
-  for (const Crease* crease : order) {
-    const auto first = depth.find(crease->first);
-    const auto second = depth.find(crease->second);
-    if ((first == depth.end()) == (second == depth.end())) {
-      return false;
-    }
-    const Index now = (first != depth.end() ? first : second)->second + 1;
-    if (now < deepest) {
-      return false;
-    }
-    deepest = now;
-    depth[first != depth.end() ? crease->second : crease->first] = now;
-  }
-  return true;
-}
-
-}  // namespace
-
 Plates find_plates(const File& file, const Relations& relations, double flat_deg) {
   DisjointSets sets(file.faces.faces());
   for (Index side = 0; side < file.faces.sides(); ++side) {
@@ -225,8 +222,7 @@ std::vector<std::vector<Crease>> find_creases(const File& file, const Relations&
   }
   std::vector<std::vector<Crease>> creases(file.pieces.size());
   for (auto& [pair, crease] : by_plates) {
-    const Index side = relations.sides_of(crease.edges.front()).front();
-    creases[file.face_piece[file.faces.face(side)]].push_back(std::move(crease));
+    creases[piece_of_edge(file, relations, crease.edges.front())].push_back(std::move(crease));
   }
   return creases;
 }

@@ -12,9 +12,6 @@
 
 namespace ridgecraft::verify {
 
-// How the two frames of a file go together: which side of a net is which side of the model, and what its
-// folds join.
-
 /// What is wrong with an edge before it is even compared with the model.
 enum class EdgeFlaw : unsigned char {
   sound,
@@ -48,6 +45,9 @@ struct Relations {
 /// The page that a piece, face or tab lies on.
 [[nodiscard]] inline Index page_of_face(const File& file, Index face) {
   return file.pieces[file.face_piece[face]].page;
+}
+[[nodiscard]] inline Index piece_of_edge(const File& file, const Relations& relations, Index edge) {
+  return file.face_piece[file.faces.face(relations.sides_of(edge).front())];
 }
 /// A tab belongs to the face of its edge.
 [[nodiscard]] inline Index face_of_tab(const File& file, const Relations& relations, Index tab) {

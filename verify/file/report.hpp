@@ -14,8 +14,6 @@
 
 namespace ridgecraft::verify {
 
-// What a check gives: the promises, the figures and the faults, and how many of these are listed.
-
 /// The promises of docs/reference/formats.md; form is promise 0. Those up to 6 are the contract's.
 enum class Promise {
   form = 0,

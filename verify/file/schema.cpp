@@ -86,50 +86,6 @@ Place place_of(std::string_view bytes, std::size_t byte) {
   return {lines + 1, last == std::string_view::npos ? before.size() + 1 : before.size() - last};
 }
 
-}  // namespace
-
-Json parse_json(std::string_view bytes) {
-  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    refuse("the file is empty");
-  }
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") {
-    refuse("the file begins with a byte order mark, which JSON doesn't allow");
-  }
-  try {
-    Builder builder;
-    Json::sax_parse(bytes.begin(), bytes.end(), &builder);
-    return builder.take();
-  } catch (const Json::parse_error& error) {
-    const Place place = place_of(bytes, error.byte);
-    refuse("the file is not JSON: {} at line {}, column {}",
-           error.byte >= bytes.size() ? "it ends too early" : "it can't be read", place.line, place.column);
-  } catch (const Json::exception&) {
-    refuse("the file is not in the form of the contract: it has a number that is too large");
-  }
-}
-
-std::string quote(std::string_view text) {
-  constexpr std::size_t longest = 48;
-  std::string result = "\"";
-  for (const char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7f ? '?' : c;
-  }
-  if (text.size() > longest) {
-    // Not in the middle of a character: its first byte goes with those that follow it.
-    while (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0xC0U) == 0x80U) {
-      result.pop_back();
-    }
-    if (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0x80U) != 0) {
-      result.pop_back();
-    }
-    result += "...";
-  }
-  return result + "\"";
-}
-
-namespace {
-
 enum class Type : unsigned char { any, text, number, whole, one_of, list, object };
 enum class Need : unsigned char { required, optional, ours };  ///< ours: required in files of this program
 enum class Order : unsigned char { any, distinct, ascending };
@@ -535,6 +491,46 @@ class Walk {
 };
 
 }  // namespace
+
+Json parse_json(std::string_view bytes) {
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    refuse("the file is empty");
+  }
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") {
+    refuse("the file begins with a byte order mark, which JSON doesn't allow");
+  }
+  try {
+    Builder builder;
+    Json::sax_parse(bytes.begin(), bytes.end(), &builder);
+    return builder.take();
+  } catch (const Json::parse_error& error) {
+    const Place place = place_of(bytes, error.byte);
+    refuse("the file is not JSON: {} at line {}, column {}",
+           error.byte >= bytes.size() ? "it ends too early" : "it can't be read", place.line, place.column);
+  } catch (const Json::exception&) {
+    refuse("the file is not in the form of the contract: it has a number that is too large");
+  }
+}
+
+std::string quote(std::string_view text) {
+  constexpr std::size_t longest = 48;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    result += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  if (text.size() > longest) {
+    // Not in the middle of a character: its first byte goes with those that follow it.
+    while (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0xC0U) == 0x80U) {
+      result.pop_back();
+    }
+    if (result.size() > 1 && (static_cast<unsigned char>(result.back()) & 0x80U) != 0) {
+      result.pop_back();
+    }
+    result += "...";
+  }
+  return result + "\"";
+}
 
 std::vector<std::string> check_form(const Json& file) {
   static const Rule form = file_form();

@@ -16,7 +16,8 @@ namespace ridgecraft::verify {
 
 using Polygon = std::vector<Vec2>;
 
-[[nodiscard]] Box2 bounding_box(std::span<const Vec2> corners);
+/// Of two segments that don't cross; of others that of the end that is nearest to the other segment.
+[[nodiscard]] double segment_distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 
 /// Turns left all the way round, once; corners may be straight within dent_tolerance_mm.
 [[nodiscard]] bool is_convex(std::span<const Vec2> polygon);

@@ -86,6 +86,20 @@ Turn unit(const Turn& q) {
   return size > 0.0 ? Turn{q.w / size, q.x / size, q.y / size, q.z / size} : Turn{};
 }
 
+double square(Vec3 a) {
+  return dot(a, a);
+}
+
+Vec3 centre_of(const Triangle3& t) {
+  return (t[0] + t[1] + t[2]) / 3.0;
+}
+
+Box3 box_of(const Triangle3& t) {
+  Box3 box;
+  std::for_each(t.begin(), t.end(), [&](Vec3 p) { box.add(p); });
+  return box;
+}
+
 }  // namespace
 
 Turn Turn::about(Vec3 direction, double angle) {
@@ -123,24 +137,6 @@ Motion best_motion(std::span<const Vec3> from, std::span<const Vec3> to) {
   const Turn turn = unit({q[0], q[1], q[2], q[3]});
   return {turn, to_centre - turn(from_centre)};
 }
-
-namespace {
-
-double square(Vec3 a) {
-  return dot(a, a);
-}
-
-Vec3 centre_of(const Triangle3& t) {
-  return (t[0] + t[1] + t[2]) / 3.0;
-}
-
-Box3 box_of(const Triangle3& t) {
-  Box3 box;
-  std::for_each(t.begin(), t.end(), [&](Vec3 p) { box.add(p); });
-  return box;
-}
-
-}  // namespace
 
 Vec3 nearest_on(const Triangle3& t, Vec3 p) {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
@@ -194,15 +190,7 @@ SurfaceTree::Place SurfaceTree::nearest(Vec3 p, double enough, const Place& gues
 double winding(const std::vector<Triangle3>& triangles, Vec3 p) {
   double angle = 0.0;
   for (const Triangle3& t : triangles) {
-    // Van Oosterom, Strackee: The solid angle of a plane triangle, 1983.
-    const Vec3 a = t[0] - p;
-    const Vec3 b = t[1] - p;
-    const Vec3 c = t[2] - p;
-    const double la = length(a);
-    const double lb = length(b);
-    const double lc = length(c);
-    angle += 2.0 * elementary::atan2(dot(a, cross(b, c)),
-                                     la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    angle += solid_angle(t[0] - p, t[1] - p, t[2] - p);
   }
   return angle / (4.0 * std::numbers::pi);
 }

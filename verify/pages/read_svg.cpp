@@ -129,16 +129,8 @@ class PathReader {
   std::vector<std::vector<Vec2>> lines_;
 };
 
-}  // namespace
-
-std::vector<std::vector<Vec2>> path_lines(std::string_view data) {
-  return PathReader(data).read();
-}
-
 // SVG pages: layers, groups and paths. Attributes that could move, hide or restyle a line are refused: a line
 // that is overlooked or read at a wrong place would be worse than a file that can't be checked.
-
-namespace {
 
 /// How a path is drawn where it doesn't say so itself.
 struct Look {
@@ -403,6 +395,10 @@ class SvgReader {
 };
 
 }  // namespace
+
+std::vector<std::vector<Vec2>> path_lines(std::string_view data) {
+  return PathReader(data).read();
+}
 
 bool is_svg(std::string_view bytes) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

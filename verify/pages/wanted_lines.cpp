@@ -16,9 +16,7 @@ namespace {
 constexpr double hair_mm = 1e-6;
 
 Box2 box_around(const Segment& s, double reach) {
-  const Vec2 margin{reach, reach};
-  return {Vec2{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)} - margin,
-          Vec2{std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)} + margin};
+  return grown(box_of(std::array{s.a, s.b}), reach);
 }
 
 std::vector<Box2> boxes_of(const std::vector<Segment>& lines) {
@@ -79,52 +77,6 @@ Stretch near_segment(Vec2 start, Vec2 along, const Segment& s, double radius) {
   }
   return result;
 }
-
-}  // namespace
-
-double distance(Vec2 p, const Segment& s) {
-  return distance_to_segment(p, s.a, s.b);
-}
-
-LineSet::LineSet(std::vector<Segment> lines) : lines_(std::move(lines)), tree_(boxes_of(lines_)) {}
-
-std::optional<Bare> LineSet::bare(const Segment& segment, double tolerance) const {
-  const double size = segment.length();
-  if (!(size > hair_mm)) {
-    return distance_to(segment.a, tolerance) ? std::nullopt : std::optional(Bare{0.0, segment.a});
-  }
-  const Vec2 along = (segment.b - segment.a) / size;
-  std::vector<Stretch> near;
-  tree_.for_each_overlapping(box_around(segment, tolerance), [&](std::size_t i) {
-    const Stretch stretch = near_segment(segment.a, along, lines_[i], tolerance);
-    if (stretch.from <= stretch.to) {
-      near.push_back(stretch);
-    }
-  });
-  std::sort(near.begin(), near.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-  near.push_back({size, size});
-  std::optional<Bare> result;
-  double at = 0.0;
-  for (const Stretch& stretch : near) {
-    if (const double gap = std::min(stretch.from, size) - at; gap > hair_mm) {
-      if (!result) {
-        result = Bare{0.0, segment.a + (at + 0.5 * gap) * along};
-      }
-      result->length += gap;
-    }
-    at = std::max(at, stretch.to);
-  }
-  return result;
-}
-
-std::optional<double> LineSet::distance_to(Vec2 p, double reach) const {
-  double best = INFINITY;
-  tree_.for_each_overlapping(box_around({p, p}, reach),
-                             [&](std::size_t i) { best = std::min(best, verify::distance(p, lines_[i])); });
-  return best <= reach ? std::optional(best) : std::nullopt;
-}
-
-namespace {
 
 /// Which kinds a fold of an angle may be drawn as, and whether it has to be drawn at all.
 struct Way {
@@ -298,6 +250,48 @@ class Collector {
 };
 
 }  // namespace
+
+double distance(Vec2 p, const Segment& s) {
+  return distance_to_segment(p, s.a, s.b);
+}
+
+LineSet::LineSet(std::vector<Segment> lines) : lines_(std::move(lines)), tree_(boxes_of(lines_)) {}
+
+std::optional<Bare> LineSet::bare(const Segment& segment, double tolerance) const {
+  const double size = segment.length();
+  if (!(size > hair_mm)) {
+    return distance_to(segment.a, tolerance) ? std::nullopt : std::optional(Bare{0.0, segment.a});
+  }
+  const Vec2 along = (segment.b - segment.a) / size;
+  std::vector<Stretch> near;
+  tree_.for_each_overlapping(box_around(segment, tolerance), [&](std::size_t i) {
+    const Stretch stretch = near_segment(segment.a, along, lines_[i], tolerance);
+    if (stretch.from <= stretch.to) {
+      near.push_back(stretch);
+    }
+  });
+  std::sort(near.begin(), near.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  near.push_back({size, size});
+  std::optional<Bare> result;
+  double at = 0.0;
+  for (const Stretch& stretch : near) {
+    if (const double gap = std::min(stretch.from, size) - at; gap > hair_mm) {
+      if (!result) {
+        result = Bare{0.0, segment.a + (at + 0.5 * gap) * along};
+      }
+      result->length += gap;
+    }
+    at = std::max(at, stretch.to);
+  }
+  return result;
+}
+
+std::optional<double> LineSet::distance_to(Vec2 p, double reach) const {
+  double best = INFINITY;
+  tree_.for_each_overlapping(box_around({p, p}, reach),
+                             [&](std::size_t i) { best = std::min(best, verify::distance(p, lines_[i])); });
+  return best <= reach ? std::optional(best) : std::nullopt;
+}
 
 std::vector<WantedPage> wanted_lines(const Case& given) {
   return Collector(given).collect();
