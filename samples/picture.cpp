@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include <cairo.h>
+
+#include "base/no_index.hpp"
 
 namespace ridgecraft::samples {
 namespace {
@@ -20,7 +21,6 @@ constexpr double filled = 0.94;
 constexpr double hiding = 3.0;
 /// How much of a hidden line is seen.
 constexpr double faint = 0.25;
-constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 constexpr Vec3 paper_tone{0.72, 0.68, 0.6};
 
 }  // namespace
@@ -37,7 +37,7 @@ View view_from(double azimuth_degrees, double elevation_degrees) {
 /// The nearest face behind each fine point of a square picture.
 class Picture::Canvas {
  public:
-  explicit Canvas(int size) : size_(size), face_(area(), nothing), depth_(area(), -INFINITY) {}
+  explicit Canvas(int size) : size_(size), face_(area(), no_index), depth_(area(), -INFINITY) {}
 
   /// Corners in fine points, y downwards, z towards the eye.
   void fill(std::uint32_t face, const std::array<Vec3, 3>& p) {
@@ -64,7 +64,7 @@ class Picture::Canvas {
 
   [[nodiscard]] int size() const { return size_; }
   [[nodiscard]] std::uint32_t face(int x, int y) const {
-    return x < 0 || y < 0 || x >= size_ || y >= size_ ? nothing : face_[at(x, y)];
+    return x < 0 || y < 0 || x >= size_ || y >= size_ ? no_index : face_[at(x, y)];
   }
 
   /// Mean colour and cover of the fine points of a pixel; where regions meet and along outlines darker.
@@ -72,14 +72,14 @@ class Picture::Canvas {
                                             std::span<const std::uint32_t> region, int x, int y) const {
     const auto region_at = [&](int i, int j) {
       const std::uint32_t at_point = face(i, j);
-      return at_point == nothing ? nothing : region[at_point];
+      return at_point == no_index ? no_index : region[at_point];
     };
     Vec3 sum;
     double cover = 0.0;
     for (int j = y * fineness; j < (y + 1) * fineness; ++j) {
       for (int i = x * fineness; i < (x + 1) * fineness; ++i) {
         const std::uint32_t at_point = face(i, j);
-        if (at_point == nothing) {
+        if (at_point == no_index) {
           continue;
         }
         const std::uint32_t own = region[at_point];

@@ -403,7 +403,7 @@ Draft::Change Draft::missing_tab(const unfold::Nets& finished) const {
 std::variant<State, Refusal> Draft::finish() const {
   State state = before_;
   state.pinned = pinned_;
-  for (const AskedTab& asked : tabs_) {
+  for (const TabEdit& asked : tabs_) {
     state.tabs.push_back(asked.tab);
   }
   if (!nets_stay()) {

@@ -106,7 +106,7 @@ class Draft {
     Place place;
   };
   /// A tab that somebody asked for, by which edit.
-  struct AskedTab {
+  struct TabEdit {
     std::size_t edit = 0;
     unfold::TabAt tab;
   };
@@ -120,7 +120,7 @@ class Draft {
   std::optional<unfold::Nets> nets_;  ///< once they have changed
   bool new_tabs_ = false;
   std::set<FaceId> pinned_;
-  std::vector<AskedTab> tabs_;
+  std::vector<TabEdit> tabs_;
   std::vector<Laid> laid_;
   std::vector<FaceId> packed_;
   bool all_packed_ = false;

@@ -84,7 +84,7 @@ class Pieces {
     for (const FaceId f : piece.faces) {
       for (std::uint32_t side = 3 * f.value(); side < 3 * f.value() + 3; ++side) {
         const std::uint32_t twin = patch_.twin[side];
-        if (twin != nothing && nets_.piece[FaceId(twin / 3)] != nets_.piece[f]) {
+        if (twin != no_index && nets_.piece[FaceId(twin / 3)] != nets_.piece[f]) {
           cuts[nets_.piece[FaceId(twin / 3)]].push_back(side);
         }
       }

@@ -36,7 +36,7 @@ using Faces = std::vector<std::uint32_t>;
 
 /// The fold between the most of these pairs, or nothing where only folds that have to stay are.
 std::uint32_t best_cut(const Patch& piece, const Folds& tree, const FacePairs& pairs) {
-  Faces place(piece.size(), nothing);
+  Faces place(piece.size(), no_index);
   const RootedTree rooted = rooted_tree(piece, tree, 0, place);
   std::vector<std::size_t> between(piece.size(), 0);  // per place: pairs that the fold above parts
   for (const auto& [f, g] : pairs) {
@@ -60,7 +60,7 @@ std::uint32_t best_cut(const Patch& piece, const Folds& tree, const FacePairs& p
       best = i;
     }
   }
-  return best == 0 ? nothing : rooted.up[best];
+  return best == 0 ? no_index : rooted.up[best];
 }
 
 /// One piece of the forest and what becomes of it.
@@ -86,7 +86,7 @@ class Splitting {
       Folds tree = folding_tree(part, sub_folds(piece_, folds_, faces));
       if (!folds_together(part, tree, context_)) {
         const std::uint32_t cut = cut_of(part, tree);
-        if (cut != nothing) {
+        if (cut != no_index) {
           set_fold(part, tree, cut, false);
           for (const Faces& half : lay_out(part, tree).faces) {
             Faces& next = open.emplace_back();

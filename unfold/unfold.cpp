@@ -19,8 +19,8 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/problem.hpp"
 #include "unfold/pieces/best_pieces.hpp"
-#include "unfold/pieces/better_trees.hpp"
 #include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/foldable_trees.hpp"
 #include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/start_nets.hpp"
 #include "unfold/plan.hpp"
@@ -119,7 +119,7 @@ class Unfolding {
     folds_ = start_forest(asked_, plan_, context_);
     find_mirror_images();
     folds_ = best_pieces(problem_, folds_, images_.edge, context_);
-    folds_ = better_trees(problem_, folds_, images_.edge, context_);
+    folds_ = foldable_trees(problem_, folds_, images_.edge, context_);
     split_for_requests();
     Nets nets = finished_nets();
     describe(nets);

@@ -234,7 +234,7 @@ void add_glue_outlines(Summary& summary, const job::Result& made) {
     spots.add(Value::Object{{"piece", made.nets.pieces[outline.piece].name},
                             {"other", made.nets.pieces[outline.other].name}});
   }
-  summary.add("glue_spots", std::move(spots));
+  summary.add("glue_outlines", std::move(spots));
 }
 
 std::string lines_text(const export_::DrawReport& drawn) {

@@ -8,6 +8,7 @@
 #include <boost/polygon/polygon.hpp>
 
 #include "base/geometry.hpp"
+#include "base/no_index.hpp"
 
 namespace ridgecraft::export_ {
 
@@ -122,8 +123,6 @@ Box2 seen_box(const Scene& scene, const Camera& camera) {
 
 namespace {
 
-constexpr std::uint32_t nothing = 0xffffffffU;
-
 /// The pixels whose middles lie between two places along a side.
 struct PixelRange {
   std::size_t from = 0;
@@ -176,7 +175,7 @@ CoarseView look_coarsely(const Scene& scene, const Camera& camera, std::size_t a
 
 std::vector<Anchor> find_anchors(const CoarseView& view, const IdVector<FaceId, std::uint32_t>& thing,
                                  std::size_t count) {
-  const auto thing_at = [&](std::size_t i) { return view.face[i].valid() ? thing[view.face[i]] : nothing; };
+  const auto thing_at = [&](std::size_t i) { return view.face[i].valid() ? thing[view.face[i]] : no_index; };
   // Distances from what is another thing, in pixels, in two sweeps (Borgefors: Distance transformations in
   // digital images, 1986).
   constexpr double straight = 1.0;
@@ -207,7 +206,7 @@ std::vector<Anchor> find_anchors(const CoarseView& view, const IdVector<FaceId, 
   sweep(false);
   std::vector<Anchor> anchors(count);
   for (std::size_t i = 0; i < room.size(); ++i) {
-    if (const std::uint32_t t = thing_at(i); t != nothing) {
+    if (const std::uint32_t t = thing_at(i); t != no_index) {
       Anchor& anchor = anchors[t];
       if (!anchor.seen || room[i] * view.pixel > anchor.room) {
         anchor = {true, view.centre(i), room[i] * view.pixel};

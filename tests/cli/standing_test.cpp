@@ -43,7 +43,7 @@ TEST_CASE("a tower is glued onto its plate, and is so with nets made before", "[
   CHECK(json["united"]["standing"] == 1);
   REQUIRE(json["bodies"].size() == 2);
   CHECK(json["bodies"][0].contains("glued_onto") != json["bodies"][1].contains("glued_onto"));
-  CHECK(json["glue_spots"].size() == 1);
+  CHECK(json["glue_outlines"].size() == 1);
   CHECK(json["additional_tabs"] == 4);
   const fs::path fold = folder / "out" / "tower.fold";
   const Json nets = Json::parse(read_bytes(fold));

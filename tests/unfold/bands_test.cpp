@@ -23,7 +23,7 @@ unfold::Bands bands_of(const mesh::Surface& surface) {
 std::vector<std::size_t> rungs_of(const unfold::Bands& bands) {
   std::vector<std::size_t> count(bands.seam_mm.size(), 0);
   for (const std::uint32_t band : bands.band) {
-    if (band != unfold::nothing) {
+    if (band != no_index) {
       ++count[band];
     }
   }

@@ -67,18 +67,18 @@ struct CostExample {
   }
   /// Every edge is the mirror image of another, at random.
   void pair_edges(std::uint64_t seed) {
-    mirror.assign(patch.twin.size(), unfold::nothing);
+    mirror.assign(patch.twin.size(), no_index);
     Random random(seed);
-    std::uint32_t open = unfold::nothing;
+    std::uint32_t open = no_index;
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-      if (patch.twin[side] == unfold::nothing || patch.twin[side] < side || random.below(4) == 0) {
+      if (patch.twin[side] == no_index || patch.twin[side] < side || random.below(4) == 0) {
         continue;
       }
-      if (open != unfold::nothing) {
+      if (open != no_index) {
         for (const auto& [a, b] : {std::pair(open, side), std::pair(side, open)}) {
           mirror[a] = mirror[patch.twin[a]] = b;
         }
-        open = unfold::nothing;
+        open = no_index;
       } else {
         open = side;
       }
@@ -115,7 +115,7 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
     int kept = 0;
     for (int trial = 0; trial < 3000; ++trial) {
       const std::uint32_t side = random.below(static_cast<std::uint32_t>(example.patch.twin.size()));
-      if (example.patch.twin[side] == unfold::nothing || net.folds()[side] != 0) {
+      if (example.patch.twin[side] == no_index || net.folds()[side] != 0) {
         continue;
       }
       const auto path = net.folds_between(side / 3, example.patch.twin[side] / 3);
@@ -141,7 +141,7 @@ TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
       for (std::uint32_t cut = 0; cut < example.patch.twin.size(); ++cut) {
         if (net.folds()[cut] == 0) {
           REQUIRE(costs.lacks_tab(cut) == fresh.lacks_tab(cut));
-          REQUIRE(costs.is_uneven(cut) == fresh.is_uneven(cut));
+          REQUIRE(costs.is_asymmetric(cut) == fresh.is_asymmetric(cut));
         }
       }
       ++kept;
@@ -208,7 +208,7 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
     const Folds folds = unfold::start_tree(example.patch, unfold::StartTree::depth_first, random);
     std::vector<double> cut(bands.seam_mm.size(), 0.0);
     for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
-      if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != unfold::nothing) {
+      if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != no_index) {
         cut[bands.band[side]] += example.patch.length[side];
       }
     }

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> moved_by(const unfold::Forest& net, const unfold::Mov
 std::optional<unfold::Move> draw_swap(unfold::Forest& net, Random& random) {
   const std::uint32_t cut = random.below(static_cast<std::uint32_t>(net.folds().size()));
   const unfold::Patch& patch = net.patch();
-  if (patch.twin[cut] == unfold::nothing || patch.frozen[cut] != 0 || net.folds()[cut] != 0) {
+  if (patch.twin[cut] == no_index || patch.frozen[cut] != 0 || net.folds()[cut] != 0) {
     return std::nullopt;
   }
   const auto& way = net.folds_between(cut / 3, patch.twin[cut] / 3);

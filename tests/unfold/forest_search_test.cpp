@@ -24,7 +24,6 @@ using test::tolerance;
 using unfold::Folds;
 using unfold::Forest;
 using unfold::Move;
-using unfold::nothing;
 using unfold::Patch;
 using unfold::Weights;
 
@@ -97,8 +96,8 @@ Move draw_move(Forest& forest, Random& random) {
     };
     const std::uint32_t kind = random.below(4);
     Move move;
-    move.opened = kind != 0 ? side(1) : nothing;
-    move.closed = kind != 1 ? side(0) : nothing;
+    move.opened = kind != 0 ? side(1) : no_index;
+    move.closed = kind != 1 ? side(0) : no_index;
     if (forest.is_legal(move)) {
       return move;
     }
@@ -322,7 +321,7 @@ TEST_CASE("edges that are mirror images are cut together", "[forest][energy]") {
     return std::pair(example.surface.point(example.surface.vertex(c)),
                      example.surface.point(example.surface.vertex(mesh::next(c))));
   };
-  std::vector<std::uint32_t> mirror(patch.twin.size(), nothing);
+  std::vector<std::uint32_t> mirror(patch.twin.size(), no_index);
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const auto [a, b] = ends(side);
     for (std::uint32_t other = 0; other < patch.twin.size(); ++other) {
@@ -337,7 +336,7 @@ TEST_CASE("edges that are mirror images are cut together", "[forest][energy]") {
   const auto uneven = [&](const Folds& folds) {
     double sum = 0.0;
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-      sum += mirror[side] != nothing && folds[side] != folds[mirror[side]] ? patch.length[side] : 0.0;
+      sum += mirror[side] != no_index && folds[side] != folds[mirror[side]] ? patch.length[side] : 0.0;
     }
     return sum;
   };

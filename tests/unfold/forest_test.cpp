@@ -22,7 +22,7 @@ TEST_CASE("a circle of folds is told, not followed for ever", "[forest]") {
     unfold::set_fold(patch, folds, around.value(), true);
     around = mesh::next(surface.twin(around));
   } while (around != start);
-  std::vector<std::uint32_t> place(patch.face.size(), unfold::nothing);
+  std::vector<std::uint32_t> place(patch.face.size(), no_index);
   CHECK_THROWS_AS(unfold::rooted_tree(patch, folds, 0, place), Error);
   unfold::set_fold(patch, folds, start.value(), false);
   CHECK(unfold::rooted_tree(patch, folds, 0, place).order.size() == 3);

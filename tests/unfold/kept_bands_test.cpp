@@ -71,8 +71,7 @@ std::vector<std::size_t> cuts_across(const mesh::Surface& surface) {
   std::vector<std::size_t> cuts(bands.seam_mm.size(), 0);
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const EdgeId edge = surface.edge(mesh::corner(patch.face[side / 3], side % 3));
-    if (bands.band[side] != unfold::nothing && side < patch.twin[side] &&
-        nets.use[edge] == unfold::EdgeUse::cut) {
+    if (bands.band[side] != no_index && side < patch.twin[side] && nets.use[edge] == unfold::EdgeUse::cut) {
       ++cuts[bands.band[side]];
     }
   }

@@ -29,7 +29,7 @@ namespace {
 std::size_t by_trying_all(const Patch& patch) {
   std::vector<std::uint32_t> sides;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.twin[side] != nothing && side < patch.twin[side]) {
+    if (patch.twin[side] != no_index && side < patch.twin[side]) {
       sides.push_back(side);
     }
   }

@@ -266,7 +266,7 @@ std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, R
   while (faces.size() < size) {
     const std::uint32_t from = faces[random.below(static_cast<std::uint32_t>(faces.size()))];
     const std::uint32_t twin = patch.twin[3 * from + random.below(3)];
-    if (twin != unfold::nothing && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
+    if (twin != no_index && std::find(faces.begin(), faces.end(), twin / 3) == faces.end()) {
       faces.push_back(twin / 3);
     }
   }

@@ -39,7 +39,7 @@ Patch bumpy_patch(std::uint64_t seed, int longitudes, int latitudes) {
 /// The rule as it is written down: as long as a path is left, the best fold of the whole tree goes.
 Folds split_by_the_book(const Patch& patch, const Folds& folds, double tolerance) {
   Folds result = folds;
-  std::vector<std::uint32_t> place(patch.size(), nothing);
+  std::vector<std::uint32_t> place(patch.size(), no_index);
   const RootedTree tree = rooted_tree(patch, folds, 0, place);
   const auto n = static_cast<std::uint32_t>(tree.order.size());
   std::vector<std::uint32_t> below(n, 1);

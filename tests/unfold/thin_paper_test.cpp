@@ -58,7 +58,7 @@ TEST_CASE("a branch that hangs by a thread is dear in every search", "[energy]")
                                                    std::vector<FaceId>{FaceId(0), FaceId(1), FaceId(2)});
     unfold::Folds folds(patch.twin.size());
     for (std::uint32_t side = 0; side < folds.size(); ++side) {
-      folds[side] = patch.twin[side] != unfold::nothing ? 1 : 0;
+      folds[side] = patch.twin[side] != no_index ? 1 : 0;
     }
     const double dear = width < unfold::thread_mm ? unfold::thread_cost : 0.0;
     unfold::Forest forest(patch);

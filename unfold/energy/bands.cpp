@@ -27,7 +27,7 @@ constexpr double most_uneven = 1.7;
 constexpr double open_turn = 3.1;
 
 bool inside_region(const Patch& patch, std::uint32_t side) {
-  return patch.twin[side] != nothing && patch.frozen[side] == frozen_in_panel;
+  return patch.twin[side] != no_index && patch.frozen[side] == frozen_in_panel;
 }
 
 double corner_angle(const Patch& patch, std::uint32_t side) {
@@ -69,9 +69,9 @@ std::vector<OutlineSide> outline_from(const Patch& patch, std::uint32_t start) {
 struct Flank {
   std::vector<std::uint32_t> sides;  ///< counterclockwise
   std::uint32_t region = 0;
-  std::uint32_t next = nothing;      ///< flanks of the region around the end
-  std::uint32_t previous = nothing;  ///< and around the start
-  double start_angle = 0.0;          ///< the region's where the flank begins, radians
+  std::uint32_t next = no_index;      ///< flanks of the region around the end
+  std::uint32_t previous = no_index;  ///< and around the start
+  double start_angle = 0.0;           ///< the region's where the flank begins, radians
   double end_angle = 0.0;
   double length_mm = 0.0;
 };
@@ -86,19 +86,19 @@ struct Regions {
   [[nodiscard]] std::uint32_t across(std::uint32_t flank) const {
     const std::uint32_t next = flanks[flanks[flank].next].next;
     const std::uint32_t previous = flanks[flanks[flank].previous].previous;
-    return next == previous ? next : nothing;
+    return next == previous ? next : no_index;
   }
 
   /// The flank of the region beyond that is made of the same edges; nothing where there is none.
   [[nodiscard]] std::uint32_t beyond(const Patch& patch, std::uint32_t flank) const {
     const std::vector<std::uint32_t>& sides = flanks[flank].sides;
     const std::uint32_t first = patch.twin[sides.back()];
-    const std::uint32_t other = first == nothing ? nothing : begins[first];
+    const std::uint32_t other = first == no_index ? no_index : begins[first];
     const bool same =
-        other != nothing &&
+        other != no_index &&
         std::equal(sides.rbegin(), sides.rend(), flanks[other].sides.begin(), flanks[other].sides.end(),
                    [&](std::uint32_t s, std::uint32_t t) { return patch.twin[s] == t; });
-    return same ? other : nothing;
+    return same ? other : no_index;
   }
 };
 
@@ -135,7 +135,7 @@ void add_region(const Patch& patch, std::vector<OutlineSide> outline, Regions& r
 
 Regions find_regions(const Patch& patch) {
   Regions regions;
-  regions.begins.assign(patch.twin.size(), nothing);
+  regions.begins.assign(patch.twin.size(), no_index);
   std::vector<std::uint8_t> seen(patch.twin.size(), 0);
   for (std::uint32_t start = 0; start < patch.twin.size(); ++start) {
     if (seen[start] != 0 || inside_region(patch, start)) {
@@ -213,7 +213,7 @@ class StripWalk {
       ring.regions.push_back(rung.region);
       ring.mean_rung_mm += rung.length_mm;
       const std::uint32_t across = regions_.across(at);
-      const bool four = across != nothing;
+      const bool four = across != no_index;
       const std::uint32_t out = four ? across : right ? rung.next : rung.previous;
       const Flank& exit = regions_.flanks[out];
       left_rim.add(rung.start_angle);
@@ -230,10 +230,10 @@ class StripWalk {
       triangles = triangles || !four;
       right = four ? right : !right;
       at = regions_.beyond(patch_, out);
-    } while (at != nothing && (at != start || right != right_first));
+    } while (at != no_index && (at != start || right != right_first));
     left_rim.close();
     right_rim.close();
-    if (at == nothing || !once || ring.halves < 2 * fewest_regions ||
+    if (at == no_index || !once || ring.halves < 2 * fewest_regions ||
         (triangles && !(left_rim.calm() && right_rim.calm() && even(ring.rungs)))) {
       return std::nullopt;
     }
@@ -244,7 +244,7 @@ class StripWalk {
   /// The strip of regions of four flanks that begins behind this one, if it goes round far enough, though
   /// something stands in its way, such as a handle: all rungs bend the same way, by open_turn in all.
   std::optional<Strip> strip_from(std::uint32_t start) {
-    if (regions_.across(start) == nothing || leads_on(start)) {
+    if (regions_.across(start) == no_index || leads_on(start)) {
       return std::nullopt;
     }
     Strip strip;
@@ -287,7 +287,7 @@ class StripWalk {
   /// Whether a strip goes on over this flank, into another region of four.
   [[nodiscard]] bool leads_on(std::uint32_t flank) const {
     const std::uint32_t other = regions_.beyond(patch_, flank);
-    return other != nothing && regions_.across(other) != nothing;
+    return other != no_index && regions_.across(other) != no_index;
   }
 
   const Patch& patch_;
@@ -316,7 +316,7 @@ Bands find_bands(const Patch& patch) {
   std::stable_sort(strips.begin(), strips.end(),
                    [](const Strip& a, const Strip& b) { return a.mean_rung_mm > b.mean_rung_mm; });
   Bands bands;
-  bands.band.assign(patch.twin.size(), nothing);
+  bands.band.assign(patch.twin.size(), no_index);
   std::vector<std::uint8_t> taken(regions.count, 0);
   for (const Strip& strip : strips) {
     if (std::any_of(strip.regions.begin(), strip.regions.end(),

@@ -105,18 +105,18 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
 }
 
 void CutCosts::set_cut(std::uint32_t side, std::uint8_t cut) {
-  if (side == nothing) {
+  if (side == no_index) {
     return;
   }
   cut_[side] = cut;
-  if (patch_.twin[side] != nothing) {
+  if (patch_.twin[side] != no_index) {
     cut_[patch_.twin[side]] = cut;
   }
 }
 
 void CutCosts::set_tree(const Folds& folds) {
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    cut_[side] = patch_.twin[side] == nothing || (folds[side] == 0 && patch_.frozen[side] == 0) ? 1 : 0;
+    cut_[side] = patch_.twin[side] == no_index || (folds[side] == 0 && patch_.frozen[side] == 0) ? 1 : 0;
   }
   total_ = 0.0;
   bare_ = 0.0;
@@ -129,12 +129,12 @@ void CutCosts::set_tree(const Folds& folds) {
       cost_[side] = cost_of(side);
       total_ += cost_[side].mm;
       bare_ += cost_[side].bare;
-      total_ += unevenness(side);
+      total_ += asymmetry(side);
     }
   }
   std::fill(cut_mm_.begin(), cut_mm_.end(), 0.0);
   for (std::uint32_t side = 0; !bands_.empty() && side < patch_.twin.size(); ++side) {
-    if (bands_.band[side] != nothing && join_of(side) == side && cut_[side] != 0) {
+    if (bands_.band[side] != no_index && join_of(side) == side && cut_[side] != 0) {
       cut_mm_[bands_.band[side]] += patch_.length[side];
     }
   }
@@ -144,14 +144,14 @@ void CutCosts::set_tree(const Folds& folds) {
 }
 
 /// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
-double CutCosts::unevenness(std::uint32_t side) const {
-  return side != nothing && is_uneven(side) ? mirror_price(side) : 0.0;
+double CutCosts::asymmetry(std::uint32_t side) const {
+  return side != no_index && is_asymmetric(side) ? mirror_price(side) : 0.0;
 }
 
 void CutCosts::weigh_mirror(double times) {
   double uneven = 0.0;
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    uneven += join_of(side) == side && cut_[side] != 0 ? unevenness(side) : 0.0;
+    uneven += join_of(side) == side && cut_[side] != 0 ? asymmetry(side) : 0.0;
   }
   total_ += (times / mirror_times_ - 1.0) * uneven;
   mirror_times_ = times;
@@ -169,18 +169,18 @@ double CutCosts::change_of_bands() const {
   }
   const std::uint32_t closed = band_of(changed_cut_);
   const std::uint32_t opened = band_of(changed_fold_);
-  const double less = changed_cut_ == nothing ? 0.0 : patch_.length[changed_cut_];
-  const double more = changed_fold_ == nothing ? 0.0 : patch_.length[changed_fold_];
+  const double less = changed_cut_ == no_index ? 0.0 : patch_.length[changed_cut_];
+  const double more = changed_fold_ == no_index ? 0.0 : patch_.length[changed_fold_];
   if (closed == opened) {
-    return closed == nothing
+    return closed == no_index
                ? 0.0
                : band_cost(closed, cut_mm_[closed] - less + more) - band_cost(closed, cut_mm_[closed]);
   }
   double change = 0.0;
-  if (closed != nothing) {
+  if (closed != no_index) {
     change += band_cost(closed, cut_mm_[closed] - less) - band_cost(closed, cut_mm_[closed]);
   }
-  if (opened != nothing) {
+  if (opened != no_index) {
     change += band_cost(opened, cut_mm_[opened] + more) - band_cost(opened, cut_mm_[opened]);
   }
   return change;
@@ -222,7 +222,7 @@ bool CutCosts::has_room(std::uint32_t side, const Ends& ends) const {
 CutCosts::Cost CutCosts::cost_of(std::uint32_t join) const {
   const std::uint32_t twin = patch_.twin[join];
   const double length = patch_.length[join];
-  if (twin == nothing) {
+  if (twin == no_index) {
     const bool lacks = seam_[join] != 0 && !has_room(join, ends_of(join));
     const double bare = lacks ? weights_.bare * length : 0.0;
     return {bare, bare, lacks};
@@ -245,7 +245,7 @@ CutCosts::Cost CutCosts::cost_of(std::uint32_t join) const {
 
 /// Notes a cut that is to be rated anew.
 void CutCosts::note(std::uint32_t side) {
-  if (side == nothing) {
+  if (side == no_index) {
     return;
   }
   const std::uint32_t join = join_of(side);
@@ -256,7 +256,7 @@ void CutCosts::note(std::uint32_t side) {
 
 /// Notes the cuts that meet this one on the outline.
 void CutCosts::note_neighbours(std::uint32_t side) {
-  if (side == nothing) {
+  if (side == no_index) {
     return;
   }
   for (const std::uint32_t s : {side, patch_.twin[side]}) {
@@ -275,7 +275,7 @@ void CutCosts::note_neighbours(std::uint32_t side) {
 
 /// Notes the cuts whose tabs need this edge to be a fold.
 void CutCosts::note_behind(std::uint32_t join) {
-  if (join == nothing) {
+  if (join == no_index) {
     return;
   }
   for (const std::uint32_t other : behind_[join]) {
@@ -287,17 +287,17 @@ void CutCosts::note_behind(std::uint32_t join) {
 
 double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   changed_.clear();
-  changed_cut_ = cut == nothing ? nothing : join_of(cut);
-  changed_fold_ = fold == nothing ? nothing : join_of(fold);
+  changed_cut_ = cut == no_index ? no_index : join_of(cut);
+  changed_fold_ = fold == no_index ? no_index : join_of(fold);
   note(cut);
   note_neighbours(cut);
-  const bool both_are_a_pair = !mirror_.empty() && changed_cut_ != nothing &&
-                               mirror_[changed_cut_] != nothing &&
+  const bool both_are_a_pair = !mirror_.empty() && changed_cut_ != no_index &&
+                               mirror_[changed_cut_] != no_index &&
                                join_of(mirror_[changed_cut_]) == changed_fold_;
-  double mirror = both_are_a_pair ? 0.0 : -unevenness(changed_cut_) - unevenness(changed_fold_);
+  double mirror = both_are_a_pair ? 0.0 : -asymmetry(changed_cut_) - asymmetry(changed_fold_);
   set_cut(cut, 0);
   set_cut(fold, 1);
-  mirror += both_are_a_pair ? 0.0 : unevenness(changed_cut_) + unevenness(changed_fold_);
+  mirror += both_are_a_pair ? 0.0 : asymmetry(changed_cut_) + asymmetry(changed_fold_);
   sum_ = mirror + change_of_bands();
   note(fold);
   note_neighbours(fold);
@@ -322,10 +322,10 @@ void CutCosts::keep() {
   total_ += sum_;
   bare_ += bare_sum_;
   if (!bands_.empty()) {
-    if (const std::uint32_t closed = band_of(changed_cut_); closed != nothing) {
+    if (const std::uint32_t closed = band_of(changed_cut_); closed != no_index) {
       cut_mm_[closed] -= patch_.length[changed_cut_];
     }
-    if (const std::uint32_t opened = band_of(changed_fold_); opened != nothing) {
+    if (const std::uint32_t opened = band_of(changed_fold_); opened != no_index) {
       cut_mm_[opened] += patch_.length[changed_fold_];
     }
   }

@@ -23,7 +23,7 @@ struct CutFacts {
   /// Per side, with candidates: 1 where it leads out of the patch and should give the tab.
   std::span<const std::uint8_t> seam;
   double clearance_mm = 0.0;  ///< of tabs
-  /// Per side, or empty: a side of the edge that is its mirror image in the patch; `nothing` where there is
+  /// Per side, or empty: a side of the edge that is its mirror image in the patch; `no_index` where there is
   /// none, or where it is its own.
   std::span<const std::uint32_t> mirror = {};
   /// Per side, or empty: 1 where the edge's mirror image lies outside the patch and is a cut, -1 where it is
@@ -62,8 +62,8 @@ class CutCosts {
   [[nodiscard]] bool lacks_tab(std::uint32_t side) const { return cost_[join_of(side)].lacks; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const { return cut_[side] != 0; }
   /// Whether an edge's mirror image is a cut where it isn't, or the other way round.
-  [[nodiscard]] bool is_uneven(std::uint32_t side) const {
-    return !mirror_.empty() && mirror_[side] != nothing && cut_[side] != cut_[mirror_[side]];
+  [[nodiscard]] bool is_asymmetric(std::uint32_t side) const {
+    return !mirror_.empty() && mirror_[side] != no_index && cut_[side] != cut_[mirror_[side]];
   }
   /// What making `cut` a fold and `fold` a cut adds to total(); either may be nothing. Must be followed by
   /// keep() or drop(). O(1) for vertices of ordinary valence.
@@ -73,13 +73,13 @@ class CutCosts {
   /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
   [[nodiscard]] double mirror_price(std::uint32_t side) const {
     const std::uint32_t image = mirror_of(side);
-    return image == nothing
+    return image == no_index
                ? 0.0
                : 0.5 * mirror_times_ * weights_.mirror * (patch_.length[side] + patch_.length[image]);
   }
   /// The mirror image of an edge, by a side; nothing where it has none.
   [[nodiscard]] std::uint32_t mirror_of(std::uint32_t side) const {
-    return mirror_.empty() ? nothing : mirror_[side];
+    return mirror_.empty() ? no_index : mirror_[side];
   }
   void keep();
   void drop();
@@ -110,13 +110,13 @@ class CutCosts {
     return patch_.twin[side] < side ? patch_.twin[side] : side;
   }
   [[nodiscard]] std::uint32_t band_of(std::uint32_t side) const {
-    return side == nothing ? nothing : bands_.band[side];
+    return side == no_index ? no_index : bands_.band[side];
   }
   void set_cut(std::uint32_t side, std::uint8_t cut);
   [[nodiscard]] Ends ends_of(std::uint32_t side) const;
   [[nodiscard]] bool has_room(std::uint32_t side, const Ends& ends) const;
   [[nodiscard]] Cost cost_of(std::uint32_t join) const;
-  [[nodiscard]] double unevenness(std::uint32_t side) const;
+  [[nodiscard]] double asymmetry(std::uint32_t side) const;
   [[nodiscard]] double band_cost(std::uint32_t band, double cut_mm) const;
   [[nodiscard]] double change_of_bands() const;
   void note(std::uint32_t side);
@@ -142,8 +142,8 @@ class CutCosts {
   double bare_ = 0.0;
 
   // The swap that was rated last.
-  std::uint32_t changed_cut_ = nothing;
-  std::uint32_t changed_fold_ = nothing;
+  std::uint32_t changed_cut_ = no_index;
+  std::uint32_t changed_fold_ = no_index;
   std::vector<std::uint32_t>
       changed_;  ///< two edges, their neighbours on the outline, tabs that lie behind them
   std::vector<Cost> new_cost_;

@@ -38,13 +38,13 @@ std::optional<double> ForestEnergy::rate(const Move& move, double most) {
   move_ = move;
   const Forest::Carried what = forest_.carried(move);
   change_ = -measure_[what.faces.tree].cost;
-  if (what.to != nothing && what.to != what.faces.tree) {
+  if (what.to != no_index && what.to != what.faces.tree) {
     change_ -= measure_[what.to].cost;
   }
   find_roots(what);
   set_folds(move, true);
   for (std::size_t i = 0; i < roots_.size(); ++i) {
-    if (roots_[i] != nothing) {
+    if (roots_[i] != no_index) {
       measures_[i] = shape_.measure(forest_, folds_, roots_[i], &what);
       change_ += measures_[i].cost;
     }
@@ -55,12 +55,12 @@ std::optional<double> ForestEnergy::rate(const Move& move, double most) {
 
 /// A face of each tree that the move makes.
 void ForestEnergy::find_roots(const Forest::Carried& what) {
-  const std::uint32_t twin = move_.joins() ? nothing : patch_.twin[move_.opened];
+  const std::uint32_t twin = move_.joins() ? no_index : patch_.twin[move_.opened];
   if (move_.splits()) {
     roots_ = {move_.opened / 3, twin / 3};
     return;
   }
-  roots_ = {move_.closed / 3, nothing};
+  roots_ = {move_.closed / 3, no_index};
   if (!move_.joins() && what.to != what.faces.tree) {
     const bool goes = forest_.in_span(what.faces, move_.opened / 3);
     roots_[1] = (goes ? twin : move_.opened) / 3;
@@ -68,10 +68,10 @@ void ForestEnergy::find_roots(const Forest::Carried& what) {
 }
 
 void ForestEnergy::set_folds(const Move& move, bool made) {
-  if (move.closed != nothing) {
+  if (move.closed != no_index) {
     set_fold(patch_, folds_, move.closed, made);
   }
-  if (move.opened != nothing) {
+  if (move.opened != no_index) {
     set_fold(patch_, folds_, move.opened, !made);
   }
 }
@@ -82,7 +82,7 @@ void ForestEnergy::keep() {
   shapes_ += change_;
   measure_.resize(std::max<std::size_t>(measure_.size(), forest_.tree_limit()));
   for (std::size_t i = 0; i < roots_.size(); ++i) {
-    if (roots_[i] != nothing) {
+    if (roots_[i] != no_index) {
       measure_[forest_.tree_of(roots_[i])] = measures_[i];
     }
   }
@@ -93,7 +93,7 @@ void ForestEnergy::drop() {
 }
 
 bool ForestEnergy::rated_fits() const {
-  return measures_[0].surely_fits && (roots_[1] == nothing || measures_[1].surely_fits);
+  return measures_[0].surely_fits && (roots_[1] == no_index || measures_[1].surely_fits);
 }
 
 std::optional<std::uint32_t> ForestEnergy::one_that_does_not_fit() {

@@ -58,7 +58,7 @@ class ForestEnergy {
 
   // The move that was rated last.
   Move move_;
-  std::array<std::uint32_t, 2> roots_{nothing, nothing};  ///< a face of each tree that it makes
+  std::array<std::uint32_t, 2> roots_{no_index, no_index};  ///< a face of each tree that it makes
   std::array<TreeShape::Measure, 2> measures_;
   double change_ = 0.0;
 };

@@ -66,7 +66,7 @@ constexpr std::uint64_t exact_steps_per_trial = 10;
 /// A set of edges, by their smaller sides, to draw from.
 class EdgeSet {
  public:
-  explicit EdgeSet(std::size_t sides) : at_(sides, nothing) {}
+  explicit EdgeSet(std::size_t sides) : at_(sides, no_index) {}
   void add(std::uint32_t edge) {
     at_[edge] = static_cast<std::uint32_t>(edges_.size());
     edges_.push_back(edge);
@@ -75,7 +75,7 @@ class EdgeSet {
     edges_[at_[edge]] = edges_.back();
     at_[edges_.back()] = at_[edge];
     edges_.pop_back();
-    at_[edge] = nothing;
+    at_[edge] = no_index;
   }
   [[nodiscard]] bool empty() const { return edges_.empty(); }
   [[nodiscard]] std::uint32_t draw(Random& random) const {
@@ -166,7 +166,7 @@ class Search {
     cuts_ = folds_ = EdgeSet(patch_.twin.size());
     for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
       const std::uint32_t twin = patch_.twin[side];
-      if (twin != nothing && side < twin && patch_.frozen[side] == 0) {
+      if (twin != no_index && side < twin && patch_.frozen[side] == 0) {
         (forest_.folds()[side] == 0 ? cuts_ : folds_).add(side);
       }
     }
@@ -219,7 +219,7 @@ class Search {
       double least = std::numeric_limits<double>::infinity();
       for (const std::uint32_t fold : folds) {
         const double infinite = std::numeric_limits<double>::infinity();
-        const double cost = energy_.rate({fold, nothing}, infinite).value_or(infinite) +
+        const double cost = energy_.rate({fold, no_index}, infinite).value_or(infinite) +
                             (energy_.rated_fits() ? 0.0 : last_overlap_price_);
         energy_.drop();
         if (cost < least) {
@@ -227,7 +227,7 @@ class Search {
           best.opened = fold;
         }
       }
-      if (best.opened == nothing) {
+      if (best.opened == no_index) {
         break;
       }
       static_cast<void>(energy_.rate(best, std::numeric_limits<double>::infinity()));
@@ -308,7 +308,7 @@ class Search {
   std::uint32_t draw_cut() {
     const CutCosts& costs = energy_.cut_costs();
     const auto is_good = [&](std::uint32_t cut) {
-      return (exact_ ? state_.tabs->has_tab(cut) : !costs.lacks_tab(cut)) && !costs.is_uneven(cut);
+      return (exact_ ? state_.tabs->has_tab(cut) : !costs.lacks_tab(cut)) && !costs.is_asymmetric(cut);
     };
     std::uint32_t cut = cuts_.draw(random_);
     if (random_.unit() < chosen_share) {
@@ -325,10 +325,10 @@ class Search {
       const std::uint32_t f = pick(overlaps_.bad_faces(), random_);
       const std::vector<std::uint32_t>& way = forest_.folds_between(f, pick(overlaps_.met_by(f), random_));
       if (!way.empty()) {
-        return Move{pick(way, random_), nothing};
+        return Move{pick(way, random_), no_index};
       }
     }
-    return folds_.empty() ? std::nullopt : std::optional(Move{folds_.draw(random_), nothing});
+    return folds_.empty() ? std::nullopt : std::optional(Move{folds_.draw(random_), no_index});
   }
 
   /// What could be opened for a cut: a fold on the way round; between two pieces one of the piece that hands
@@ -338,7 +338,7 @@ class Search {
     std::uint32_t to = patch_.twin[cut] / 3;
     if (forest_.tree_of(from) != forest_.tree_of(to)) {
       if (rules_.pieces_change && random_.unit() < join_share) {
-        return Move{nothing, cut};
+        return Move{no_index, cut};
       }
       if (random_.below(2) == 0) {
         std::swap(from, to);
@@ -364,11 +364,11 @@ class Search {
   [[nodiscard]] std::uint32_t edge_of(std::uint32_t side) const { return std::min(side, patch_.twin[side]); }
 
   void note(const Move& move) {
-    if (move.closed != nothing) {
+    if (move.closed != no_index) {
       cuts_.remove(edge_of(move.closed));
       folds_.add(edge_of(move.closed));
     }
-    if (move.opened != nothing) {
+    if (move.opened != no_index) {
       folds_.remove(edge_of(move.opened));
       cuts_.add(edge_of(move.opened));
     }
@@ -481,22 +481,22 @@ class Search {
     const CutCosts& costs = energy_.cut_costs();
     const auto image_of = [&](std::uint32_t side, bool cut) {
       const std::uint32_t image = costs.mirror_of(side);
-      const bool same = image != nothing && costs.is_cut(image) == cut && patch_.frozen[image] == 0 &&
+      const bool same = image != no_index && costs.is_cut(image) == cut && patch_.frozen[image] == 0 &&
                         edge_of(image) != edge_of(side);
-      return same ? image : nothing;
+      return same ? image : no_index;
     };
-    const Move image{move.opened == nothing ? nothing : image_of(move.opened, false),
-                     move.closed == nothing ? nothing : image_of(move.closed, true)};
-    const bool whole = (image.opened == nothing) == (move.opened == nothing) &&
-                       (image.closed == nothing) == (move.closed == nothing);
+    const Move image{move.opened == no_index ? no_index : image_of(move.opened, false),
+                     move.closed == no_index ? no_index : image_of(move.closed, true)};
+    const bool whole = (image.opened == no_index) == (move.opened == no_index) &&
+                       (image.closed == no_index) == (move.closed == no_index);
     return whole ? std::optional(image) : std::nullopt;
   }
 
   bool make_both(const Move& move, const Move& image, double may_cost) {
     // Alone it costs what makes the forest asymmetric; that is won back by its image.
     const CutCosts& costs = energy_.cut_costs();
-    const double uneven = (move.closed != nothing ? costs.mirror_price(move.closed) : 0.0) +
-                          (move.opened != nothing ? costs.mirror_price(move.opened) : 0.0);
+    const double uneven = (move.closed != no_index ? costs.mirror_price(move.closed) : 0.0) +
+                          (move.opened != no_index ? costs.mirror_price(move.opened) : 0.0);
     const std::optional<double> first = make(move, uneven + std::max(0.0, may_cost) + slack_of_pair);
     if (!first) {
       return false;

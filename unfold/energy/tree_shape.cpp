@@ -90,7 +90,7 @@ TreeShape::TreeShape(const Patch& patch, std::span<const std::uint32_t> part, co
 }
 
 void TreeShape::collect(const Folds& folds, std::uint32_t root) {
-  members_[0] = {root, 0, nothing, area_[root]};
+  members_[0] = {root, 0, no_index, area_[root]};
   count_ = 1;
   panels_ = 1;
   parts_ = 0;
@@ -108,7 +108,7 @@ void TreeShape::collect(const Folds& folds, std::uint32_t root) {
         continue;
       }
       const std::uint32_t twin = patch_.twin[side];
-      if (twin != nothing && side != member.up) {
+      if (twin != no_index && side != member.up) {
         members_[count_++] = {twin / 3, i, twin, area_[twin / 3]};
         panels_ += patch_.frozen[side] != frozen_in_panel ? 1U : 0U;
       }
@@ -130,7 +130,7 @@ double TreeShape::necks(const Folds& folds) const {
   for (std::size_t i = 0; i < count_ && !narrow_.empty(); ++i) {
     const Member& member = members_[i];
     const std::uint32_t cut = only_cut(folds, member.face);
-    if (cut != nothing && narrow_[cut] != 0) {
+    if (cut != no_index && narrow_[cut] != 0) {
       const double area = area_[member.face];
       const double behind = i > 0 ? member.behind - area : members_[1].behind;
       sum += thread_cost_between(behind, members_[0].behind - area - behind);

@@ -120,16 +120,16 @@ std::vector<std::uint32_t> plates_of(const FlatPiece& piece) {
   const auto size = static_cast<std::uint32_t>(piece.flat.size());
   DisjointSets sets(size);
   for (std::uint32_t side = 0; side < piece.across.size(); ++side) {
-    if (piece.across[side] != nothing && std::abs(piece.angle[side]) < flat_fold) {
+    if (piece.across[side] != no_index && std::abs(piece.angle[side]) < flat_fold) {
       sets.join(side / 3, piece.across[side]);
     }
   }
-  std::vector<std::uint32_t> number(size, nothing);
+  std::vector<std::uint32_t> number(size, no_index);
   std::vector<std::uint32_t> plate;
   std::uint32_t plates = 0;
   for (std::uint32_t f = 0; f < size; ++f) {
     std::uint32_t& of_set = number[sets.find(f)];
-    of_set = of_set == nothing ? plates++ : of_set;
+    of_set = of_set == no_index ? plates++ : of_set;
     plate.push_back(of_set);
   }
   return plate;
@@ -145,7 +145,7 @@ FlatPiece flat_piece(const mesh::Surface& surface, const Nets& nets, PieceId pie
     for (unsigned k = 0; k < 3; ++k) {
       const CornerId side = mesh::corner(f, k);
       const EdgeId e = surface.edge(side);
-      std::uint32_t across = nothing;
+      std::uint32_t across = no_index;
       if (nets.use[e] == EdgeUse::fold) {
         const auto at = std::lower_bound(faces.begin(), faces.end(), surface.neighbor(side));
         across = static_cast<std::uint32_t>(at - faces.begin());
@@ -161,7 +161,7 @@ FlatPiece flat_piece(const Patch& patch, const Folds& tree) {
   FlatPiece flat;
   flat.flat = lay_out(patch, tree).flat;
   flat.angle = patch.fold_angle;
-  flat.across.assign(tree.size(), nothing);
+  flat.across.assign(tree.size(), no_index);
   for (std::size_t side = 0; side < tree.size(); ++side) {
     if (tree[side] != 0) {
       flat.across[side] = patch.twin[side] / 3;
@@ -177,7 +177,7 @@ FoldMotion::FoldMotion(const FlatPiece& piece) : flat_(piece.flat), plate_(plate
   }
   Links links;
   for (std::uint32_t side = 0; side < piece.across.size(); ++side) {
-    if (piece.across[side] != nothing && plate_[side / 3] != plate_[piece.across[side]]) {
+    if (piece.across[side] != no_index && plate_[side / 3] != plate_[piece.across[side]]) {
       links[{plate_[side / 3], plate_[piece.across[side]]}].push_back(side);
     }
   }
@@ -188,13 +188,13 @@ FoldMotion::FoldMotion(const FlatPiece& piece) : flat_(piece.flat), plate_(plate
   const Reach reach = reach_from(middle_plate(neighbours), neighbours);
   inner_of_ = reach.before;
   hung_.resize(faces_.size());
-  std::vector<std::uint32_t> crease_of(faces_.size(), nothing);  // the one that moves the plate
+  std::vector<std::uint32_t> crease_of(faces_.size(), no_index);  // the one that moves the plate
   for (std::size_t i = 1; i < reach.order.size(); ++i) {
     const std::uint32_t outer = reach.order[i];
     const std::uint32_t inner = reach.before[outer];
     crease_of[outer] = static_cast<std::uint32_t>(creases_.size());
     hung_[inner].push_back(crease_of[outer]);
-    const std::uint32_t depth = crease_of[inner] == nothing ? 1 : creases_[crease_of[inner]].depth + 1;
+    const std::uint32_t depth = crease_of[inner] == no_index ? 1 : creases_[crease_of[inner]].depth + 1;
     creases_.push_back({inner, outer, depth, links[{inner, outer}]});
     const std::uint32_t side = creases_.back().sides.front();
     const Triangle& corners = flat_[side / 3];
@@ -206,7 +206,7 @@ FoldMotion::FoldMotion(const FlatPiece& piece) : flat_(piece.flat), plate_(plate
     const auto [p, q] = pair;
     if (p < q && !hinged(p, q)) {
       const std::uint32_t later =
-          std::max(crease_of[p] == nothing ? 0 : crease_of[p], crease_of[q] == nothing ? 0 : crease_of[q]);
+          std::max(crease_of[p] == no_index ? 0 : crease_of[p], crease_of[q] == no_index ? 0 : crease_of[q]);
       creases_[later].sides.insert(creases_[later].sides.end(), sides.begin(), sides.end());
     }
   }

@@ -175,7 +175,7 @@ std::optional<FoldTrial::Pair> FoldTrial::first_meeting(std::uint32_t crease, do
   const double from = pose_.share[crease];
   for (int i = 0; i < samples_of_motion; ++i) {
     const Motion moved = motion_.beyond(crease, from + share_of_way(i) * (share - from), pose_);
-    std::uint32_t face = nothing;
+    std::uint32_t face = no_index;
     Corners corners{};
     Vec3 centre;
     for (const auto& [f, g] : candidates_) {

@@ -29,7 +29,7 @@ FoldingMeetings::FoldingMeetings(const Patch& patch) : patch_(patch) {
   find_plates();
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     Samples<Motion>& hinge = hinge_.emplace_back();
-    if (patch.twin[side] == nothing) {
+    if (patch.twin[side] == no_index) {
       continue;
     }
     const Triangle& corners = patch.shape[side / 3];

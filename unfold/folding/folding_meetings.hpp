@@ -77,12 +77,12 @@ class FoldingMeetings {
   std::vector<Centres> centres_;         ///< of each face
   FacePairs pairs_;                      ///< that meet, in no order
   // The last swap that was asked about.
-  std::vector<std::uint32_t> moved_;  ///< faces
-  std::vector<std::uint8_t> moves_;   ///< per face: is it one of these?
-  FacePairs made_;                    ///< pairs that it makes meet
-  Samples<Motion> motion_;            ///< of what it moves
-  std::uint32_t new_fold_ = nothing;  ///< the side, in what stays, of the fold that it makes
-  std::vector<std::uint32_t> open_;   ///< space to work in
+  std::vector<std::uint32_t> moved_;   ///< faces
+  std::vector<std::uint8_t> moves_;    ///< per face: is it one of these?
+  FacePairs made_;                     ///< pairs that it makes meet
+  Samples<Motion> motion_;             ///< of what it moves
+  std::uint32_t new_fold_ = no_index;  ///< the side, in what stays, of the fold that it makes
+  std::vector<std::uint32_t> open_;    ///< space to work in
 };
 
 }  // namespace ridgecraft::unfold

@@ -14,10 +14,10 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
   const std::uint32_t n = patch.size();
   Layout layout;
   layout.flat.resize(n);
-  layout.piece.assign(n, nothing);
+  layout.piece.assign(n, no_index);
   std::vector<Rigid> place(n);
   for (std::uint32_t root = 0; root < n; ++root) {
-    if (layout.piece[root] != nothing) {
+    if (layout.piece[root] != no_index) {
       continue;
     }
     const auto piece = static_cast<std::uint32_t>(layout.faces.size());
@@ -34,7 +34,7 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
         }
         RIDGECRAFT_ASSERT(folds[patch.twin[side]] != 0);
         const std::uint32_t g = patch.twin[side] / 3;
-        if (layout.piece[g] == nothing) {
+        if (layout.piece[g] == no_index) {
           layout.piece[g] = piece;
           place[g] = place[f] * patch.across[side];
           order.push_back(g);
@@ -47,7 +47,7 @@ Layout lay_out(const Patch& patch, const Folds& folds) {
 
 bool is_slit(const Patch& patch, const Folds& folds, const Layout& layout, std::uint32_t side) {
   const std::uint32_t twin = patch.twin[side];
-  if (twin == nothing || patch.frozen[side] == 0 || folds[side] != 0 ||
+  if (twin == no_index || patch.frozen[side] == 0 || folds[side] != 0 ||
       layout.piece[side / 3] != layout.piece[twin / 3]) {
     return false;
   }

@@ -10,7 +10,7 @@ namespace {
 
 std::uint32_t local_number(std::span<const FaceId> faces, FaceId f) {
   const auto at = std::lower_bound(faces.begin(), faces.end(), f);
-  return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : nothing;
+  return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : no_index;
 }
 
 EdgeConstraint constraint_at(std::span<const EdgeConstraint> constraints, EdgeId e) {
@@ -48,7 +48,7 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
   Patch patch;
   patch.face.assign(faces.begin(), faces.end());
   const std::size_t sides = 3 * faces.size();
-  patch.twin.assign(sides, nothing);
+  patch.twin.assign(sides, no_index);
   patch.frozen.assign(sides, 0);
   patch.labels_meet.assign(sides, 0);
   patch.across.resize(sides);
@@ -73,8 +73,8 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
       }
       const EdgeConstraint constraint = constraint_at(constraints, surface.edge(c));
       const std::uint32_t g =
-          t.valid() && constraint != EdgeConstraint::cut ? local_number(faces, mesh::face_of(t)) : nothing;
-      if (g == nothing) {
+          t.valid() && constraint != EdgeConstraint::cut ? local_number(faces, mesh::face_of(t)) : no_index;
+      if (g == no_index) {
         continue;
       }
       const std::uint32_t j = t.value() % 3;
@@ -127,8 +127,8 @@ std::vector<std::vector<FaceId>> connected(const mesh::Surface& surface, std::sp
         const CornerId c = mesh::corner(f, k);
         const FaceId g = surface.neighbor(c);
         const bool cut = constraint_at(constraints, surface.edge(c)) == EdgeConstraint::cut;
-        const std::uint32_t at = g.valid() && !cut ? local_number(faces, g) : nothing;
-        if (at != nothing && seen[at] == 0) {
+        const std::uint32_t at = g.valid() && !cut ? local_number(faces, g) : no_index;
+        if (at != no_index && seen[at] == 0) {
           seen[at] = 1;
           stack.push_back(at);
         }
@@ -144,7 +144,7 @@ namespace {
 /// Number of a face among ascending ones; nothing where it isn't there.
 std::uint32_t place_among(std::span<const std::uint32_t> faces, std::uint32_t f) {
   const auto at = std::lower_bound(faces.begin(), faces.end(), f);
-  return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : nothing;
+  return at != faces.end() && *at == f ? static_cast<std::uint32_t>(at - faces.begin()) : no_index;
 }
 
 }  // namespace
@@ -166,9 +166,9 @@ Patch sub_patch(const Patch& patch, std::span<const std::uint32_t> faces) {
     sub.shape.push_back(patch.shape[f]);
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
       const std::uint32_t twin = patch.twin[side];
-      const std::uint32_t g = twin == nothing ? nothing : place_among(faces, twin / 3);
-      sub.twin.push_back(g == nothing ? nothing : 3 * g + twin % 3);
-      sub.frozen.push_back(g == nothing ? std::uint8_t{0} : patch.frozen[side]);
+      const std::uint32_t g = twin == no_index ? no_index : place_among(faces, twin / 3);
+      sub.twin.push_back(g == no_index ? no_index : 3 * g + twin % 3);
+      sub.frozen.push_back(g == no_index ? std::uint8_t{0} : patch.frozen[side]);
       sub.across.push_back(patch.across[side]);
       sub.length.push_back(patch.length[side]);
       sub.fold_angle.push_back(patch.fold_angle[side]);
@@ -183,7 +183,7 @@ Folds sub_folds(const Patch& patch, const Folds& folds, std::span<const std::uin
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t side = 3 * faces[i] + k;
-      if (folds[side] != 0 && place_among(faces, patch.twin[side] / 3) != nothing) {
+      if (folds[side] != 0 && place_among(faces, patch.twin[side] / 3) != no_index) {
         sub[3 * i + k] = 1;
       }
     }
@@ -195,7 +195,7 @@ void put_back(const Patch& patch, std::span<const std::uint32_t> faces, const Fo
   for (std::size_t i = 0; i < faces.size(); ++i) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t side = 3 * faces[i] + k;
-      if (patch.twin[side] != nothing && place_among(faces, patch.twin[side] / 3) != nothing) {
+      if (patch.twin[side] != no_index && place_among(faces, patch.twin[side] / 3) != no_index) {
         folds[side] = sub[3 * i + k];
       }
     }

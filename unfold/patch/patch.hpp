@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/geometry.hpp"
+#include "base/no_index.hpp"
 #include "base/vector.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
@@ -117,9 +118,6 @@ using Triangle = std::array<Vec2, 3>;
 
 // A connected set of faces in the form that the search works on: local numbers, each face flat in a frame of
 // its own.
-
-/// Marks "no face", "no side".
-inline constexpr std::uint32_t nothing = 0xffffffffU;
 
 /// Patch::frozen of sides whose faces count as one flat region, and of those across a strip that stays one,
 /// which count as a region more.

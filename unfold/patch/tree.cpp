@@ -14,8 +14,8 @@ RootedTree rooted_tree(const Patch& patch, const Folds& folds, std::uint32_t roo
                        std::vector<std::uint32_t>& place) {
   RootedTree tree;
   tree.order.push_back(root);
-  tree.up.push_back(nothing);
-  tree.parent.push_back(nothing);
+  tree.up.push_back(no_index);
+  tree.parent.push_back(no_index);
   place[root] = 0;
   for (std::uint32_t i = 0; i < tree.order.size(); ++i) {
     const std::uint32_t f = tree.order[i];
@@ -51,17 +51,17 @@ struct Groups {
 
 Groups find_groups(const Patch& patch, DisjointSets& sets, Random& random) {
   Groups groups;
-  groups.of.assign(patch.size(), nothing);
-  std::vector<std::uint32_t> number(patch.size(), nothing);
+  groups.of.assign(patch.size(), no_index);
+  std::vector<std::uint32_t> number(patch.size(), no_index);
   for (std::uint32_t f = 0; f < patch.size(); ++f) {
     const std::uint32_t set = sets.find(f);
-    if (number[set] == nothing) {
+    if (number[set] == no_index) {
       number[set] = static_cast<std::uint32_t>(groups.sides.size());
       groups.sides.emplace_back();
     }
     groups.of[f] = number[set];
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      if (patch.twin[side] != nothing && patch.frozen[side] == 0) {
+      if (patch.twin[side] != no_index && patch.frozen[side] == 0) {
         groups.sides[number[set]].push_back(side);
       }
     }
@@ -105,7 +105,7 @@ void traverse(const Patch& patch, Folds& folds, const Groups& groups, bool depth
 void by_weight(const Patch& patch, Folds& folds, DisjointSets& sets, bool by_length, Random& random) {
   std::vector<std::uint32_t> sides;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.twin[side] != nothing && side < patch.twin[side] && patch.frozen[side] == 0) {
+    if (patch.twin[side] != no_index && side < patch.twin[side] && patch.frozen[side] == 0) {
       sides.push_back(side);
     }
   }

@@ -97,11 +97,11 @@ inline constexpr double thread_cost = 25'000.0;
 
 /// The only side of a face that is no fold, or nothing.
 [[nodiscard]] inline std::uint32_t only_cut(const Folds& folds, std::uint32_t face) {
-  std::uint32_t cut = nothing;
+  std::uint32_t cut = no_index;
   for (std::uint32_t side = 3 * face; side < 3 * face + 3; ++side) {
     if (folds[side] == 0) {
-      if (cut != nothing) {
-        return nothing;
+      if (cut != no_index) {
+        return no_index;
       }
       cut = side;
     }

@@ -23,12 +23,12 @@ std::vector<Faces> bodies_of(const NetProblem& problem, const IdVector<EdgeId, E
   const Patch& patch = problem.patch;
   DisjointSets sets(patch.size());
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.twin[side] != nothing) {
+    if (patch.twin[side] != no_index) {
       static_cast<void>(sets.join(side / 3, patch.twin[side] / 3));
     }
   }
   if (!mirrored.empty()) {
-    IdVector<EdgeId, std::uint32_t> face_at(problem.surface.edge_count(), nothing);
+    IdVector<EdgeId, std::uint32_t> face_at(problem.surface.edge_count(), no_index);
     const auto edge_of = [&](std::uint32_t side) {
       return problem.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
     };
@@ -37,7 +37,7 @@ std::vector<Faces> bodies_of(const NetProblem& problem, const IdVector<EdgeId, E
     }
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
       const EdgeId image = mirrored[edge_of(side)];
-      if (image.valid() && face_at[image] != nothing) {
+      if (image.valid() && face_at[image] != no_index) {
         static_cast<void>(sets.join(side / 3, face_at[image]));
       }
     }

@@ -179,12 +179,12 @@ std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Pa
                                           const Bands& bands) {
   std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (bands.band[side] != nothing && side < patch.twin[side]) {
+    if (bands.band[side] != no_index && side < patch.twin[side]) {
       edges[bands.band[side]].push_back(surface.edge(mesh::corner(patch.face[side / 3], side % 3)));
     }
   }
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (bands.band[side] != nothing && is_border_of_labels(patch, side)) {
+    if (bands.band[side] != no_index && is_border_of_labels(patch, side)) {
       edges[bands.band[side]].clear();
     }
   }

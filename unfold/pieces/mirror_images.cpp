@@ -26,7 +26,7 @@ EdgeId edge_of(const mesh::Surface& surface, const Patch& patch, std::uint32_t s
 std::map<EdgeId, std::uint32_t> exchangeable_sides(const mesh::Surface& surface, const Patch& patch) {
   std::map<EdgeId, std::uint32_t> side_of;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.twin[side] != nothing && side < patch.twin[side] && patch.frozen[side] == 0) {
+    if (patch.twin[side] != no_index && side < patch.twin[side] && patch.frozen[side] == 0) {
       side_of[edge_of(surface, patch, side)] = side;
     }
   }
@@ -81,7 +81,7 @@ MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights)
 
 std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch,
                                         const IdVector<EdgeId, EdgeId>& images) {
-  std::vector<std::uint32_t> result(patch.twin.size(), nothing);
+  std::vector<std::uint32_t> result(patch.twin.size(), no_index);
   if (images.empty()) {
     return result;
   }

@@ -33,7 +33,7 @@ struct MirrorImages {
 /// of the model, or mirror images weigh nothing. O(n log n).
 [[nodiscard]] MirrorImages mirror_images(const mesh::Surface& surface, const Weights& weights);
 
-/// The same for the sides of a patch: one side of the image, `nothing` where that is no fold or cut within
+/// The same for the sides of a patch: one side of the image, `no_index` where that is no fold or cut within
 /// the patch that could be exchanged, or the side's own edge. O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> mirror_sides(const mesh::Surface& surface, const Patch& patch,
                                                       const IdVector<EdgeId, EdgeId>& images);

@@ -164,7 +164,7 @@ Folds split_overlaps(const Patch& patch, const Folds& folds, double tolerance) {
   for (const OverlapFound& pair : find_overlaps(layout, tolerance)) {
     pairs[layout.piece[pair.first]].push_back(pair);
   }
-  std::vector<std::uint32_t> place(patch.size(), nothing);
+  std::vector<std::uint32_t> place(patch.size(), no_index);
   for (std::size_t piece = 0; piece < pairs.size(); ++piece) {
     if (pairs[piece].empty()) {
       continue;

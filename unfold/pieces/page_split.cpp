@@ -87,7 +87,7 @@ SplitCost cost_of(const Patch& patch, const Folds& folds) {
   std::size_t tree_folds = 0;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const std::uint32_t twin = patch.twin[side];
-    if (twin == nothing || twin < side) {
+    if (twin == no_index || twin < side) {
       continue;
     }
     if (folds[side] != 0) {
@@ -106,7 +106,7 @@ Folds split_to_fit(const Patch& patch, const Folds& folds, const Room& room, Ran
                    const Context& context) {
   Folds result = folds;
   const Layout layout = lay_out(patch, folds);
-  std::vector<std::uint32_t> place(patch.size(), nothing);
+  std::vector<std::uint32_t> place(patch.size(), no_index);
   for (const auto& faces : layout.faces) {
     if (room.holds(hull_of(layout, faces), panels_of(patch, folds, faces))) {
       continue;

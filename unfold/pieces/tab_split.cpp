@@ -29,10 +29,10 @@ struct RootedForest {
   std::vector<std::uint32_t> up;     ///< per face: its side to its parent; nothing at a root
   std::vector<std::uint32_t> depth;  ///< per face
 
-  RootedForest(const Patch& patch, const Folds& folds) : up(patch.size()), depth(patch.size(), nothing) {
+  RootedForest(const Patch& patch, const Folds& folds) : up(patch.size()), depth(patch.size(), no_index) {
     std::vector<std::uint32_t> place(patch.size());
     for (std::uint32_t root = 0; root < patch.size(); ++root) {
-      if (depth[root] != nothing) {
+      if (depth[root] != no_index) {
         continue;
       }
       const RootedTree tree = rooted_tree(patch, folds, root, place);
@@ -70,7 +70,7 @@ class Chooser {
     std::vector<std::uint32_t> cuts;
     for (;;) {
       context_.check();
-      std::uint32_t best = nothing;
+      std::uint32_t best = no_index;
       double most = 0.0;
       for (const Worth& worth : worths()) {
         if (worth.tabs > most) {
@@ -78,7 +78,7 @@ class Chooser {
           best = worth.side;
         }
       }
-      if (best == nothing) {
+      if (best == no_index) {
         return cuts;
       }
       cuts.push_back(best);
@@ -90,7 +90,7 @@ class Chooser {
   using Path = std::vector<std::uint32_t>;  ///< folds that may be cut, each by its side of the lower face
   using Place = std::vector<Path>;          ///< to each thing in the way that isn't cut off yet
   struct Worth {
-    std::uint32_t side = nothing;
+    std::uint32_t side = no_index;
     double tabs = 0.0;
   };
   struct Gap {

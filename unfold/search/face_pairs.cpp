@@ -11,7 +11,7 @@ void FacePairSet::clear() {
     list.clear();
   }
   bad_.clear();
-  std::fill(bad_at_.begin(), bad_at_.end(), nothing);
+  std::fill(bad_at_.begin(), bad_at_.end(), no_index);
   total_ = 0;
 }
 
@@ -40,7 +40,7 @@ void FacePairSet::remove_from_list(std::uint32_t f, std::uint32_t g) {
     bad_[bad_at_[f]] = bad_.back();
     bad_at_[bad_.back()] = bad_at_[f];
     bad_.pop_back();
-    bad_at_[f] = nothing;
+    bad_at_[f] = no_index;
   }
 }
 

@@ -17,7 +17,7 @@ namespace ridgecraft::unfold {
 /// A set of pairs, by their faces.
 class FacePairSet {
  public:
-  explicit FacePairSet(std::size_t face_count) : meets_(face_count), bad_at_(face_count, nothing) {}
+  explicit FacePairSet(std::size_t face_count) : meets_(face_count), bad_at_(face_count, no_index) {}
 
   void clear();
   /// The pair must not be there. O(1).

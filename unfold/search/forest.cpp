@@ -28,11 +28,11 @@ void Forest::set_folds(const Folds& folds) {
   live_.clear();
   live_at_.clear();
   free_.clear();
-  std::fill(tree_.begin(), tree_.end(), nothing);
+  std::fill(tree_.begin(), tree_.end(), no_index);
   for (std::uint32_t f = 0; f < patch_.size(); ++f) {
-    if (tree_[f] == nothing) {
+    if (tree_[f] == no_index) {
       const std::uint32_t t = new_tree();
-      hang(f, nothing, Rigid{});
+      hang(f, no_index, Rigid{});
       trees_[t].order = hung_;
       number(t);
     }
@@ -41,7 +41,7 @@ void Forest::set_folds(const Folds& folds) {
 
 bool Forest::is_legal(const Move& move) const {
   if (move.splits()) {
-    return move.opened != nothing;
+    return move.opened != no_index;
   }
   const std::uint32_t a = move.closed / 3;
   const std::uint32_t b = patch_.twin[move.closed] / 3;
@@ -74,7 +74,7 @@ Forest::Carried Forest::carried(const Move& move) const {
   const std::uint32_t v = below(move.opened);
   const bool lower_is_smaller = 2 * size_[v] <= size_of(tree_[v]);
   if (move.splits()) {
-    return {lower_is_smaller ? subtree(v) : rest(v), nothing, Rigid{}};
+    return {lower_is_smaller ? subtree(v) : rest(v), no_index, Rigid{}};
   }
   // The side of `closed` that lies in the half that moves.
   std::uint32_t side = move.closed;
@@ -90,8 +90,8 @@ void Forest::make(const Move& move) {
   const Carried what = carried(move);
   const std::uint32_t t = what.faces.tree;
   // The face by which what moves hangs in its new tree, and its side there.
-  std::uint32_t up = nothing;
-  std::uint32_t root = nothing;
+  std::uint32_t up = no_index;
+  std::uint32_t root = no_index;
   if (move.splits()) {
     const std::uint32_t v = below(move.opened);
     root = in_span(what.faces, v) ? v : parent(v);
@@ -99,21 +99,22 @@ void Forest::make(const Move& move) {
     up = in_span(what.faces, move.closed / 3) ? move.closed : patch_.twin[move.closed];
     root = up / 3;
   }
-  if (move.opened != nothing) {
+  if (move.opened != no_index) {
     const std::uint32_t v = below(move.opened);
     if (!in_span(what.faces, v)) {
-      up_[v] = nothing;  // its subtree stays and is a tree of its own
+      up_[v] = no_index;  // its subtree stays and is a tree of its own
     }
     set_fold(move.opened, 0);
   }
-  if (move.closed != nothing) {
+  if (move.closed != no_index) {
     set_fold(move.closed, 1);
   }
   take_out(what.faces);
-  const Rigid placed = up == nothing ? Rigid{} : place_[patch_.twin[up] / 3] * patch_.across[patch_.twin[up]];
-  if (up == nothing) {
+  const Rigid placed =
+      up == no_index ? Rigid{} : place_[patch_.twin[up] / 3] * patch_.across[patch_.twin[up]];
+  if (up == no_index) {
     const std::uint32_t fresh = new_tree();
-    hang(root, nothing, placed);
+    hang(root, no_index, placed);
     trees_[fresh].order = hung_;
     number(fresh);
     number(t);
@@ -141,7 +142,7 @@ void Forest::take_out(const Span& span) {
   order.resize(n - span.count);
   // The root comes first: it is the only one without a parent.
   const auto root =
-      std::find_if(order.begin(), order.end(), [&](std::uint32_t f) { return up_[f] == nothing; });
+      std::find_if(order.begin(), order.end(), [&](std::uint32_t f) { return up_[f] == no_index; });
   std::rotate(order.begin(), root, order.end());
 }
 
@@ -160,7 +161,7 @@ void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
     const std::uint32_t f = open_.back();
     open_.pop_back();
     hung_.push_back(f);
-    tree_[f] = nothing - 1;
+    tree_[f] = no_index - 1;
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
       if (folds_[side] != 0 && side != up_[f]) {
         const std::uint32_t twin = patch_.twin[side];
@@ -202,7 +203,7 @@ std::uint32_t Forest::new_tree() {
   if (free_.empty()) {
     t = static_cast<std::uint32_t>(trees_.size());
     trees_.emplace_back();
-    live_at_.push_back(nothing);
+    live_at_.push_back(no_index);
   } else {
     t = free_.back();
     free_.pop_back();
@@ -216,7 +217,7 @@ void Forest::drop_tree(std::uint32_t tree) {
   live_[live_at_[tree]] = live_.back();
   live_at_[live_.back()] = live_at_[tree];
   live_.pop_back();
-  live_at_[tree] = nothing;
+  live_at_[tree] = no_index;
   free_.push_back(tree);
 }
 

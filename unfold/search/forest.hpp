@@ -16,11 +16,11 @@ namespace ridgecraft::unfold {
 /// A change of a forest. Both sides given: within one tree a swap; between two trees a branch of one is
 /// handed to the other. `opened` alone splits a tree, `closed` alone joins two.
 struct Move {
-  std::uint32_t opened = nothing;  ///< a side of the fold that becomes a cut
-  std::uint32_t closed = nothing;  ///< a side of the cut that becomes a fold
+  std::uint32_t opened = no_index;  ///< a side of the fold that becomes a cut
+  std::uint32_t closed = no_index;  ///< a side of the cut that becomes a fold
 
-  [[nodiscard]] bool splits() const { return closed == nothing; }
-  [[nodiscard]] bool joins() const { return opened == nothing; }
+  [[nodiscard]] bool splits() const { return closed == no_index; }
+  [[nodiscard]] bool joins() const { return opened == no_index; }
   /// Takes the move back.
   [[nodiscard]] Move inverse() const { return {closed, opened}; }
   friend bool operator==(const Move&, const Move&) = default;
@@ -43,8 +43,8 @@ class Forest {
   /// What a move carries, and where.
   struct Carried {
     Span faces;
-    std::uint32_t to = nothing;  ///< the tree whose plane it lies in afterwards; nothing: one of its own
-    Rigid motion;                ///< to that plane
+    std::uint32_t to = no_index;  ///< the tree whose plane it lies in afterwards; nothing: one of its own
+    Rigid motion;                 ///< to that plane
   };
 
   explicit Forest(const Patch& patch);

@@ -55,7 +55,7 @@ std::int64_t ForestOverlaps::added(const Move& move, std::int64_t limit) {
 
 void ForestOverlaps::make(const Move& move) {
   if (move.splits() || !(move == counted_)) {
-    count_new(move, nothing);
+    count_new(move, no_index);
   }
   counted_ = {};
   if (!move.joins()) {

@@ -146,15 +146,15 @@ class ForestSearch {
         ++open[tree_of_[arc.b]];
       }
     }
-    std::uint32_t best = nothing;
-    std::pair<std::uint32_t, std::size_t> least{nothing, 0};
+    std::uint32_t best = no_index;
+    std::pair<std::uint32_t, std::size_t> least{no_index, 0};
     for (std::uint32_t i = 0; i < arcs_.size(); ++i) {
       if (!arcs_[i].open) {
         continue;
       }
       for (const std::uint32_t tree : {tree_of_[arcs_[i].a], tree_of_[arcs_[i].b]}) {
         const std::pair<std::uint32_t, std::size_t> key{open[tree], plates_.size() - members_[tree].size()};
-        if (best == nothing || key < least) {
+        if (best == no_index || key < least) {
           best = i;
           least = key;
         }
@@ -330,7 +330,7 @@ class Blocks {
  private:
   struct Step {
     std::uint32_t panel = 0;
-    std::uint32_t from = nothing;
+    std::uint32_t from = no_index;
     std::size_t next = 0;  ///< of its edges
   };
 
@@ -341,7 +341,7 @@ class Blocks {
   }
 
   void visit(std::uint32_t root) {
-    enter(root, nothing);
+    enter(root, no_index);
     while (!steps_.empty()) {
       Step& step = steps_.back();
       const std::uint32_t panel = step.panel;
@@ -356,7 +356,7 @@ class Blocks {
       }
       const std::uint32_t from = step.from;
       steps_.pop_back();
-      if (from != nothing) {
+      if (from != no_index) {
         low_[from] = std::min(low_[from], low_[panel]);
         if (low_[panel] >= number_[from]) {
           close(panel, from);

@@ -84,7 +84,7 @@ void NetWalk::try_swap(double heat) {
   }
   const std::uint32_t fold = pick(way, random_);
   const Move move{fold, draw_cut(fold)};
-  if (move.closed == nothing) {
+  if (move.closed == no_index) {
     return;
   }
   const double longer = patch_.length[move.opened] - patch_.length[move.closed];
@@ -134,7 +134,7 @@ bool NetWalk::keeps_folding(const Move& move, std::int64_t limit) {
 }
 
 bool NetWalk::may_close(std::uint32_t side) const {
-  return patch_.twin[side] != nothing && forest_.folds()[side] == 0 && patch_.frozen[side] == 0;
+  return patch_.twin[side] != no_index && forest_.folds()[side] == 0 && patch_.frozen[side] == 0;
 }
 
 /// A cut that leads from one half of the net to the other when this fold is opened; or nothing.
@@ -148,19 +148,19 @@ std::uint32_t NetWalk::cut_at(std::uint32_t fold) {
   const bool lower = random_.below(2) == 0;
   const std::uint32_t face = lower ? below : forest_.parent(below);
   const std::uint32_t side = 3 * face + random_.below(3);
-  return may_close(side) && forest_.in_subtree(below, patch_.twin[side] / 3) != lower ? side : nothing;
+  return may_close(side) && forest_.in_subtree(below, patch_.twin[side] / 3) != lower ? side : no_index;
 }
 
 /// A side of any face of the smaller half.
 std::uint32_t NetWalk::cut_across(std::uint32_t fold) {
-  const Forest::Span half = forest_.carried({fold, nothing}).faces;
+  const Forest::Span half = forest_.carried({fold, no_index}).faces;
   for (int i = 0; i < draws_for_a_cut; ++i) {
     const std::uint32_t side = 3 * forest_.face_in(half, random_.below(half.count)) + random_.below(3);
     if (may_close(side) && !forest_.in_span(half, patch_.twin[side] / 3)) {
       return side;
     }
   }
-  return nothing;
+  return no_index;
 }
 
 std::uint64_t quick_trials(std::uint32_t faces) {

@@ -56,7 +56,7 @@ std::vector<Arc> arcs_between(const Patch& patch, const std::vector<Plate>& plat
   std::vector<Arc> arcs;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const std::uint32_t twin = patch.twin[side];
-    if (twin != nothing && side < twin && plate_of[side / 3] != plate_of[twin / 3]) {
+    if (twin != no_index && side < twin && plate_of[side / 3] != plate_of[twin / 3]) {
       arcs.push_back({side, plate_of[side / 3], plate_of[twin / 3],
                       place[side / 3] * patch.across[side] * place[twin / 3].inverse()});
     }

@@ -21,7 +21,7 @@ struct Plate {
 
 /// An edge between two panels.
 struct Arc {
-  std::uint32_t side = nothing;
+  std::uint32_t side = no_index;
   std::uint32_t a = 0, b = 0;  ///< panels
   Rigid across;                ///< b's frame seen from a's
   bool open = true;            ///< neither cut nor folded yet

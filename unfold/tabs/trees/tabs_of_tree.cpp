@@ -66,7 +66,7 @@ class TargetFinder {
     Chain result;
     const std::uint32_t first = patch.twin[side];
     const ConvexShape widest = widest_tab(patch.length[side], options_);
-    if (first == nothing || widest.empty()) {
+    if (first == no_index || widest.empty()) {
       return result;
     }
     struct Behind {
@@ -91,9 +91,9 @@ class TargetFinder {
           continue;
         }
         const std::uint32_t twin = patch.twin[s];
-        const bool frozen = twin != nothing && patch.frozen[s] != 0;
+        const bool frozen = twin != no_index && patch.frozen[s] != 0;
         const double beyond = bend + (frozen ? 0.0 : std::abs(patch.fold_angle[s]));
-        if (twin == nothing || beyond > most_bend_of_tab) {
+        if (twin == no_index || beyond > most_bend_of_tab) {
           result.outline.push_back({edge, Obstacle::Kind::target_edge});
           continue;
         }
@@ -162,7 +162,7 @@ TabTargets find_tab_targets(const mesh::Surface& surface, const prepare::Panels&
         }
       }
     }
-    if (patch.twin[side] != nothing || targets.largest[side].empty()) {
+    if (patch.twin[side] != no_index || targets.largest[side].empty()) {
       continue;
     }
     const CornerId twin = surface.twin(c);
@@ -293,8 +293,8 @@ TabState::Mask TabState::free_among_faces(std::uint32_t side) {
 }
 
 void TabState::choose(std::uint32_t join, const Choice& choice) {
-  const bool had = chosen_[join].side != nothing;
-  const bool has = choice.side != nothing;
+  const bool had = chosen_[join].side != no_index;
+  const bool has = choice.side != no_index;
   if (had != has) {
     count_.tabs += has ? 1U : static_cast<std::uint32_t>(-1);
     count_.held_mm += has ? patch_.length[join] : -patch_.length[join];
@@ -376,7 +376,7 @@ void TabState::make(const Move& move) {
   ++round_;
   marked_.clear();
   beside_.clear();
-  if (move.closed != nothing && chosen_[join_of(move.closed)].side != nothing) {
+  if (move.closed != no_index && chosen_[join_of(move.closed)].side != no_index) {
     choose(join_of(move.closed), {});
   }
   const Forest::Carried what = net_.carried(move);
@@ -386,8 +386,8 @@ void TabState::make(const Move& move) {
   const bool first_goes = !move.splits() && net_.in_span(what.faces, move.closed / 3);
   net_.make(move);
   for (const std::uint32_t side : {move.closed, move.opened}) {
-    for (const std::uint32_t s : {side, side == nothing ? nothing : patch_.twin[side]}) {
-      if (s != nothing) {
+    for (const std::uint32_t s : {side, side == no_index ? no_index : patch_.twin[side]}) {
+      if (s != no_index) {
         mark(s);
         for (const std::uint32_t other : behind_[join_of(s)]) {
           mark(other);
@@ -449,13 +449,13 @@ void TabState::fill_open() {
   open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
   const auto choices = [this](std::uint32_t join) {
     const std::uint32_t twin = patch_.twin[join];
-    return std::popcount(free_[join]) + (twin == nothing ? 0 : std::popcount(free_[twin]));
+    return std::popcount(free_[join]) + (twin == no_index ? 0 : std::popcount(free_[twin]));
   };
   std::stable_sort(open_.begin(), open_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return choices(a) < choices(b); });
   for (const bool may_push : {false, true}) {
     for (const std::uint32_t join : open_) {
-      if (chosen_[join].side == nothing) {
+      if (chosen_[join].side == no_index) {
         static_cast<void>(place(join, may_push));
       }
     }
@@ -503,7 +503,7 @@ bool TabState::place(std::uint32_t join, bool may_push) {
   std::vector<std::uint32_t> near;
   std::vector<std::uint32_t> others;
   for (const std::uint32_t side : {join, patch_.twin[join]}) {
-    if (side == nothing || free_[side] == 0) {
+    if (side == no_index || free_[side] == 0) {
       continue;
     }
     find_tabs_near(side, near);

@@ -104,10 +104,10 @@ class TabState {
   /// Their length, mm: what a search makes as great as it can.
   [[nodiscard]] double held_mm() const { return count_.held_mm; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const {
-    return patch_.twin[side] == nothing ? targets_.seam[side] != 0
-                                        : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
+    return patch_.twin[side] == no_index ? targets_.seam[side] != 0
+                                         : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
   }
-  [[nodiscard]] bool has_tab(std::uint32_t side) const { return chosen_[join_of(side)].side != nothing; }
+  [[nodiscard]] bool has_tab(std::uint32_t side) const { return chosen_[join_of(side)].side != no_index; }
   /// The side by which a cut is counted.
   [[nodiscard]] std::uint32_t join_of(std::uint32_t side) const {
     return patch_.twin[side] < side ? patch_.twin[side] : side;
@@ -127,7 +127,7 @@ class TabState {
 
  private:
   struct Choice {
-    std::uint32_t side = nothing;  ///< none: no tab
+    std::uint32_t side = no_index;  ///< none: no tab
     std::uint32_t shape = 0;
     [[nodiscard]] bool operator==(const Choice&) const = default;
   };

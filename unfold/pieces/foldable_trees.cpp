@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unfold/pieces/better_trees.hpp"
+#include "unfold/pieces/foldable_trees.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -112,8 +112,8 @@ std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Pa
 
 }  // namespace
 
-Folds better_trees(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
-                   const Context& context) {
+Folds foldable_trees(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
+                     const Context& context) {
   const mesh::Surface& surface = problem.surface;
   const Patch& patch = problem.patch;
   std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;

@@ -13,7 +13,7 @@ namespace ridgecraft::unfold {
 /// room if they did; of two that are mirror images the second gets what the first got. `mirrored`:
 /// mirror_images. The patch is the whole surface. Deterministic for one seed but for the deadline; one piece
 /// is one task.
-[[nodiscard]] Folds better_trees(const NetProblem& problem, const Folds& folds,
-                                 const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
+[[nodiscard]] Folds foldable_trees(const NetProblem& problem, const Folds& folds,
+                                   const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
 
 }  // namespace ridgecraft::unfold
