@@ -186,7 +186,7 @@ ExitCode do_job(const PrintJob& job) {
 }
 
 /// Said before anything is read: what the options alone make questionable.
-void warn_of(const AskedSize& asked, const job::Options& options, Session& session) {
+void warn_of(const SizeRequest& asked, const job::Options& options, Session& session) {
   // A machine reaches the edges of its sheet, as its preset knows.
   if (options.paper && options.paper->furniture) {
     if (const auto warning = narrow_margin_warning(*options.paper)) {

@@ -26,7 +26,7 @@ struct CommonOptions {
 };
 
 /// How a user asked for the size.
-struct AskedSize {
+struct SizeRequest {
   std::string words;          ///< "--size 150mm"
   bool unit_assumed = false;  ///< --size was a number alone
   /// The factor of --scale without --unit: it is the file's unit that counts, where the file tells it.
@@ -40,7 +40,7 @@ struct MakeJob {
   std::vector<std::string> outputs;  ///< empty: all default formats in the current folder
   bool overwrite = false;
   bool page = true;  ///< a page for browsers is among the default formats
-  AskedSize size_asked;
+  SizeRequest size_asked;
   std::string paper_name = "A4";
   std::uint64_t most_pages = 300;  ///< a model that is expected to take more is refused
   /// What comes out on the user's machine where 100 mm are drawn, across and up the sheet.
@@ -79,7 +79,7 @@ struct SegmentJob {
 struct UnfoldJob {
   CommonOptions common;
   std::string model;
-  AskedSize size_asked;
+  SizeRequest size_asked;
   job::Options options;  ///< without paper, and but for the edges that these name:
   EdgeArguments edges;
   std::string output;  ///< FILE.fold; empty: none

@@ -56,8 +56,8 @@ CommonOptions common_of(const job::AskedOptions& asked) {
   return common;
 }
 
-AskedSize size_of(const job::AskedOptions& asked) {
-  AskedSize size{"--size 150mm"};
+SizeRequest size_of(const job::AskedOptions& asked) {
+  SizeRequest size{"--size 150mm"};
   for (const std::string name : {"size", "width", "depth", "height"}) {
     if (asked.given(name)) {
       const std::string typed = asked.text(name);

@@ -35,7 +35,7 @@ void add_common(Verb& verb, job::AskedOptions& asked, TimeUp time_up = TimeUp::s
 [[nodiscard]] CommonOptions common_of(const job::AskedOptions& asked);
 
 /// How the size was asked for.
-[[nodiscard]] AskedSize size_of(const job::AskedOptions& asked);
+[[nodiscard]] SizeRequest size_of(const job::AskedOptions& asked);
 
 /// --cuts, --keep and --from. Throws Error(usage) where edges are named of a model that is to be simplified
 /// to a number of faces: it would have others.

@@ -226,7 +226,7 @@ std::vector<Target> checked_targets(const MakeJob& job) {
 }
 
 /// A factor of numbers whose unit nobody knows: what comes out tells whether they are millimetres.
-void require_sensible_scale(const AskedSize& asked, const job::Options& options, const mesh::Model& model) {
+void require_sensible_scale(const SizeRequest& asked, const job::Options& options, const mesh::Model& model) {
   constexpr double smallest_mm = 20.0;
   constexpr double largest_mm = 5000.0;
   if (!asked.scale || model.frame.mm_per_unit) {

@@ -157,7 +157,7 @@ std::optional<Message> too_many_pages(const job::Remark& remark, std::uint64_t m
   return std::visit([&](const auto& figures) { return refusal_of(figures, most_pages); }, remark);
 }
 
-std::optional<Message> assumed_unit_warning(const AskedSize& asked, const prepare::SizeOptions& size) {
+std::optional<Message> assumed_unit_warning(const SizeRequest& asked, const prepare::SizeOptions& size) {
   const double mm = size.largest_extent_mm;
   if (!asked.unit_assumed || mm >= tiny_mm) {
     return std::nullopt;

@@ -64,7 +64,7 @@ class Progress {
 [[nodiscard]] std::optional<Message> too_many_pages(const job::Remark& remark, std::uint64_t most_pages);
 
 /// Where a size without a unit makes a tiny model: whoever wrote it may have meant centimetres.
-[[nodiscard]] std::optional<Message> assumed_unit_warning(const AskedSize& asked,
+[[nodiscard]] std::optional<Message> assumed_unit_warning(const SizeRequest& asked,
                                                           const prepare::SizeOptions& size);
 
 /// Where the margin is narrower than most printers need.
