@@ -27,18 +27,44 @@ double ridgecraft_elementary_hypot(double x, double y);
 
 namespace ridgecraft::elementary {
 
-inline constexpr auto& sin = ridgecraft_elementary_sin;
-inline constexpr auto& cos = ridgecraft_elementary_cos;
-inline constexpr auto& tan = ridgecraft_elementary_tan;
-inline constexpr auto& asin = ridgecraft_elementary_asin;
-inline constexpr auto& acos = ridgecraft_elementary_acos;
-inline constexpr auto& atan2 = ridgecraft_elementary_atan2;
-inline constexpr auto& pow = ridgecraft_elementary_pow;
-inline constexpr auto& exp = ridgecraft_elementary_exp;
-inline constexpr auto& exp2 = ridgecraft_elementary_exp2;
-inline constexpr auto& log = ridgecraft_elementary_log;
-inline constexpr auto& log2 = ridgecraft_elementary_log2;
-inline constexpr auto& log10 = ridgecraft_elementary_log10;
-inline constexpr auto& hypot = ridgecraft_elementary_hypot;
+inline double sin(double x) {
+  return ridgecraft_elementary_sin(x);
+}
+inline double cos(double x) {
+  return ridgecraft_elementary_cos(x);
+}
+inline double tan(double x) {
+  return ridgecraft_elementary_tan(x);
+}
+inline double asin(double x) {
+  return ridgecraft_elementary_asin(x);
+}
+inline double acos(double x) {
+  return ridgecraft_elementary_acos(x);
+}
+inline double atan2(double y, double x) {
+  return ridgecraft_elementary_atan2(y, x);
+}
+inline double pow(double base, double exponent) {
+  return ridgecraft_elementary_pow(base, exponent);
+}
+inline double exp(double x) {
+  return ridgecraft_elementary_exp(x);
+}
+inline double exp2(double x) {
+  return ridgecraft_elementary_exp2(x);
+}
+inline double log(double x) {
+  return ridgecraft_elementary_log(x);
+}
+inline double log2(double x) {
+  return ridgecraft_elementary_log2(x);
+}
+inline double log10(double x) {
+  return ridgecraft_elementary_log10(x);
+}
+inline double hypot(double x, double y) {
+  return ridgecraft_elementary_hypot(x, y);
+}
 
 }  // namespace ridgecraft::elementary
