@@ -108,7 +108,6 @@ class MaterialFiles {
 
   void read_line(std::string_view names);
   void apply(std::string_view name, Material& material);
-  [[nodiscard]] bool any_missing() const { return any_missing_; }
 
  private:
   bool read(const fs::path& file);

@@ -46,7 +46,6 @@ class ObjReader {
   std::string read_name();
   void finish();
   void require_whole_text();
-  void finish_textures();
   void finish_materials();
   [[noreturn]] void refuse(const char* line, std::string_view reason) {
     source_.refuse_line(ErrorKind::unreadable_input, line, reason);
@@ -352,40 +351,13 @@ void ObjReader::finish() {
   require_whole_text();
   ignored_.report(RepairKind::element_ignored, source_, soup_.remarks);
   unknown_.report(RepairKind::element_ignored, source_, soup_.remarks);
-  finish_textures();
+  complete_textures(soup_, bad_texture_point_);
   finish_materials();
   if (!colour_of_point_.empty()) {
     colour_of_point_.resize(soup_.points.size(), Soup::none);
     colour_corners(soup_, colour_of_point_);
   }
   soup_.objects = std::move(objects_.empty() ? groups_ : objects_);
-}
-
-/// A polygon has texture coordinates at all of its corners or at none: the rest couldn't be drawn.
-void ObjReader::finish_textures() {
-  std::vector<std::uint32_t>& texture = soup_.corner_texture;
-  if (texture.empty()) {
-    return;
-  }
-  texture.resize(soup_.corner_point.size(), Soup::none);
-  std::size_t spoilt = 0;
-  bool any = false;
-  for (std::size_t i = 0; i < soup_.polygon_count(); ++i) {
-    const auto first = texture.begin() + soup_.first_corner[i];
-    const auto last = texture.begin() + soup_.first_corner[i + 1];
-    const bool bad = std::any_of(first, last, [&](std::uint32_t t) {
-      return t != Soup::none && (t >= soup_.texture_points.size() || bad_texture_point_[t]);
-    });
-    if (bad || std::find(first, last, Soup::none) != last) {
-      std::fill(first, last, Soup::none);
-    }
-    spoilt += bad ? 1 : 0;
-    any = any || (first != last && *first != Soup::none);
-  }
-  soup_.remarks.add(RepairKind::texture_point_dropped, spoilt);
-  if (!any) {
-    texture.clear();
-  }
 }
 
 /// Keeps the materials that polygons have, in the order of their first use.

@@ -78,6 +78,30 @@ void add_triangle(Soup& soup, std::array<std::uint32_t, 3> points,
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corner_point.size()));
 }
 
+void complete_textures(Soup& soup, const std::vector<bool>& bad) {
+  std::vector<std::uint32_t>& texture = soup.corner_texture;
+  if (texture.empty()) {
+    return;
+  }
+  texture.resize(soup.corner_point.size(), Soup::none);
+  std::size_t spoilt = 0;
+  for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
+    const auto first = texture.begin() + soup.first_corner[i];
+    const auto last = texture.begin() + soup.first_corner[i + 1];
+    const bool is_spoilt = std::any_of(first, last, [&](std::uint32_t t) {
+      return t != Soup::none && (t >= soup.texture_points.size() || bad[t]);
+    });
+    if (is_spoilt || std::find(first, last, Soup::none) != last) {
+      std::fill(first, last, Soup::none);
+    }
+    spoilt += is_spoilt ? 1U : 0U;
+  }
+  soup.remarks.add(RepairKind::texture_point_dropped, spoilt);
+  if (std::all_of(texture.begin(), texture.end(), [](std::uint32_t t) { return t == Soup::none; })) {
+    texture.clear();
+  }
+}
+
 void complete(Soup& soup) {
   const auto fill = [](std::vector<std::uint32_t>& numbers, std::size_t count) {
     numbers.resize(numbers.empty() ? 0 : count, Soup::none);

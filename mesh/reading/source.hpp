@@ -93,6 +93,10 @@ void check_repetitions(const Source& source, std::uint64_t held, std::uint64_t p
 void add_triangle(Soup& soup, std::array<std::uint32_t, 3> points,
                   const std::optional<std::array<std::uint32_t, 3>>& texture);
 
+/// A polygon has texture coordinates at all of its corners or at none: the rest couldn't be drawn. Those with
+/// a corner that is `bad`, or beyond the texture points, are remarked on.
+void complete_textures(Soup& soup, const std::vector<bool>& bad);
+
 /// What a soup lacks at the end: texture corners, colours and materials of the last faces; names, where none
 /// says anything, go.
 void complete(Soup& soup);

@@ -284,13 +284,13 @@ class StreamReader {
     }
     const std::uint32_t places = count(2 * sizeof(double));
     soup_.texture_points.reserve(places);
-    good_place_.reserve(places);
+    bad_place_.reserve(places);
     for (std::uint32_t i = 0; i < places; ++i) {
       const Vec2 place{number(), number()};
-      // False for what is no number, too.
-      good_place_.push_back(std::abs(place.x) <= largest_texture_coordinate &&
-                            std::abs(place.y) <= largest_texture_coordinate);
-      soup_.texture_points.push_back(good_place_.back() ? place : Vec2{});
+      // True for what is no number, too.
+      bad_place_.push_back(!(std::abs(place.x) <= largest_texture_coordinate &&
+                             std::abs(place.y) <= largest_texture_coordinate));
+      soup_.texture_points.push_back(bad_place_.back() ? Vec2{} : place);
     }
   }
 
@@ -318,7 +318,7 @@ class StreamReader {
     soup_.corner_point = indices(corners, soup_.points.size(), false);
     soup_.corner_texture = indices(corners, soup_.texture_points.size(), true);
     soup_.polygon_material = indices(polygons, soup_.materials.size(), true);
-    drop_bad_places();
+    complete_textures(soup_, bad_place_);
     check_corner_count(source_, soup_);
   }
 
@@ -335,28 +335,11 @@ class StreamReader {
     return may_be_none && all_none ? std::vector<std::uint32_t>() : result;
   }
 
-  /// A polygon has places in the picture at all of its corners or at none.
-  void drop_bad_places() {
-    std::vector<std::uint32_t>& texture = soup_.corner_texture;
-    std::size_t spoilt = 0;
-    for (std::size_t i = 0; !texture.empty() && i < soup_.polygon_count(); ++i) {
-      const auto first = texture.begin() + soup_.first_corner[i];
-      const auto last = texture.begin() + soup_.first_corner[i + 1];
-      const bool bad =
-          std::any_of(first, last, [&](std::uint32_t t) { return t != Soup::none && !good_place_[t]; });
-      if (bad || std::find(first, last, Soup::none) != last) {
-        std::fill(first, last, Soup::none);
-      }
-      spoilt += bad ? 1U : 0U;
-    }
-    soup_.remarks.add(RepairKind::texture_point_dropped, spoilt);
-  }
-
   std::string_view left_;
   const Source& source_;
   Soup soup_;
   PictureFinder pictures_;
-  std::vector<bool> good_place_;
+  std::vector<bool> bad_place_;
 };
 
 }  // namespace
