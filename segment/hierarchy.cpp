@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/no_index.hpp"
-#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
+#include "segment/concavity/valley_search.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/joining/partition.hpp"
 #include "segment/surface/redundant_points.hpp"

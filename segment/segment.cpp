@@ -8,11 +8,10 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "segment/concavity/graph.hpp"
 #include "segment/concavity/measure.hpp"
+#include "segment/concavity/valley_search.hpp"
 #include "segment/cutting/cut.hpp"
 #include "segment/cutting/division.hpp"
-#include "segment/joining/assembly.hpp"
 #include "segment/joining/join_parts.hpp"
 #include "segment/surface/damage.hpp"
 #include "segment/surface/redundant_points.hpp"

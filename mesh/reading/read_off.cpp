@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/files.hpp"
 #include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"

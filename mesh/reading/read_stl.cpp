@@ -8,7 +8,6 @@
 
 #include "base/encodings.hpp"
 #include "base/text.hpp"
-#include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/source.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
@@ -209,6 +208,11 @@ void AsciiReader::read_vertex() {
 }
 
 }  // namespace
+
+std::uint32_t stl_facet_count(std::string_view bytes) {
+  constexpr std::size_t count_at = 80;
+  return static_cast<std::uint32_t>(little_endian(bytes.substr(count_at, 4)));
+}
 
 Soup read_stl_ascii(const Source& source) {
   return AsciiReader(source).read();

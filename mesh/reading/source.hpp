@@ -78,6 +78,25 @@ void check_corner_count(const Source& source, const Soup& soup);
 /// Formats that Assimp reads: by Source::importer.
 [[nodiscard]] Soup read_imported(FileFormat format, const Source& source);
 
+// Sizes of a binary STL file: 80 bytes of anything, a count, then facets of a normal, three corners and two
+// bytes.
+
+inline constexpr std::size_t stl_header_size = 84;
+inline constexpr std::size_t stl_facet_size = 50;
+
+/// The count in the header of at least stl_header_size bytes.
+[[nodiscard]] std::uint32_t stl_facet_count(std::string_view bytes);
+
+[[nodiscard]] constexpr std::uint64_t stl_file_size(std::uint64_t facets) {
+  return stl_header_size + stl_facet_size * facets;
+}
+
+/// "OFF", with the prefixes of the format's description (Geomview): [ST][C][N][4][n]OFF.
+[[nodiscard]] bool is_off_keyword(std::string_view word);
+
+/// What somebody can do with a file of a format that only Assimp reads.
+[[nodiscard]] std::string_view way_by_blender();
+
 // Formats in which a file may say once what it has many times: a few lines could make more faces than any
 // memory holds.
 

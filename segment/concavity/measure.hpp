@@ -14,7 +14,7 @@
 #include "base/context.hpp"
 #include "base/no_index.hpp"
 #include "base/vector.hpp"
-#include "segment/concavity/graph.hpp"
+#include "segment/concavity/valley_search.hpp"
 #include "segment/concavity/valleys.hpp"
 #include "segment/hull/hull.hpp"
 #include "segment/hull/hull_depth.hpp"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "base/vector.hpp"
-#include "segment/concavity/graph.hpp"
 #include "segment/concavity/valley_search.hpp"
 
 namespace ridgecraft::segment {

@@ -13,7 +13,6 @@
 
 #include "base/context.hpp"
 #include "base/random.hpp"
-#include "segment/concavity/graph.hpp"
 #include "segment/concavity/valley_search.hpp"
 #include "segmented.hpp"
 #include "support/concave_shapes.hpp"

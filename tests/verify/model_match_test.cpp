@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "verify/geometry/space.hpp"
+#include "verify/geometry/geometry.hpp"
 #include "verify/support.hpp"
 
 using namespace ridgecraft;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The geometry that overlap rests on, against slow ways to the same answers.
-#include "verify/geometry/polygon.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "base/random.hpp"
-#include "verify/geometry/space.hpp"
+#include "verify/geometry/geometry.hpp"
 
 using namespace ridgecraft;
 using verify::Polygon;

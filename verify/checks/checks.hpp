@@ -5,8 +5,12 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "verify/file/file.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/report.hpp"
 
@@ -105,5 +109,25 @@ void count_narrow_pieces(const Case& given, Findings& findings);
 void count_thin_necks(const Case& given, Findings& findings);
 /// What the knife cuts and what is folded.
 void measure_cuts(const Case& given, Findings& findings);
+
+// The settings under "ridgecraft:settings": which there are, what their values have to be, and what the nets
+// say against them.
+
+/// A hash of bytes as hexadecimal digits.
+[[nodiscard]] bool is_hash(std::string_view text);
+
+/// Whether there is such a setting, and it says yes.
+[[nodiscard]] bool is_true(const Settings& settings, std::string_view name);
+
+/// What the nets were searched with where the settings have another value now; null where they haven't.
+[[nodiscard]] const Setting* searched_with(const Settings& settings, std::string_view name);
+
+/// What is wrong with them, a sentence each: unknown or missing ones, values that no option takes, values
+/// that contradict each other.
+[[nodiscard]] std::vector<std::string> faults_of_settings(const Settings& settings);
+
+/// What contradicts the nets: sizes of model and paper, heights of tabs, numbers of faces. Only settings
+/// without faults are looked at. O(n log n).
+[[nodiscard]] std::vector<std::string> contradictions(const Case& given);
 
 }  // namespace ridgecraft::verify

@@ -8,7 +8,7 @@
 
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 

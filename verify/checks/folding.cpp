@@ -12,11 +12,9 @@
 #include <fmt/format.h>
 
 #include "verify/checks/checks.hpp"
-#include "verify/checks/settings.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
-#include "verify/geometry/space.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 

@@ -16,8 +16,7 @@
 #include "base/geometry.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
-#include "verify/geometry/space.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -9,8 +9,7 @@
 #include "base/disjoint_sets.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
-#include "verify/geometry/space.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verify/checks/settings.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,10 +15,11 @@
 
 #include "base/geometry.hpp"
 #include "base/option_table.hpp"
+#include "verify/checks/checks.hpp"
 #include "verify/file/relations.hpp"
 #include "verify/file/schema.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 namespace {

@@ -11,9 +11,8 @@
 
 #include "base/disjoint_sets.hpp"
 #include "verify/checks/checks.hpp"
-#include "verify/checks/settings.hpp"
 #include "verify/file/tolerance.hpp"
-#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/geometry.hpp"
 
 namespace ridgecraft::verify {
 

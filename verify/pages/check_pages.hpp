@@ -12,7 +12,7 @@
 #include "base/vector.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/relations.hpp"
-#include "verify/geometry/polygon.hpp"
+#include "verify/geometry/geometry.hpp"
 #include "verify/pages/printed.hpp"
 
 namespace ridgecraft::verify {

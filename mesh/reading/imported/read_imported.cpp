@@ -22,7 +22,6 @@
 #include <unistd.h>
 
 #include "base/text.hpp"
-#include "mesh/reading/detect_format.hpp"
 #include "mesh/reading/files.hpp"
 #include "mesh/reading/imported/stream.hpp"
 #include "mesh/reading/source.hpp"
