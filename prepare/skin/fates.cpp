@@ -90,29 +90,47 @@ bool Fates::is_shared(const Facet& facet) const {
              ? std::count_if(all.begin(), all.end(), [&](const Source& s) { return !is_cap(s.triangle); }) > 1
              : all.size() > 1;
 }
-bool Fates::of_solid(std::uint32_t f) const {
-  const auto all = sources(arranged.facets[f]);
-  return !is_loose(arranged.facets[f], solid) && std::any_of(all.begin(), all.end(), [&](const Source& s) {
-    return solid[soup.body[s.triangle]] != 0;
-  });
-}
 
-std::vector<Fates::Side> Fates::sides_of_kept() const {
+namespace {
+
+/// A side of a facet that is kept, by the numbers of its ends.
+struct Side {
+  std::uint32_t low;
+  std::uint32_t high;
+  std::uint32_t facet;
+};
+
+std::vector<Side> sides_of_kept(const Fates& fates) {
   std::vector<Side> sides;
-  for (std::uint32_t f = 0; f < arranged.facets.size(); ++f) {
-    if (fate[f] != Fate::hidden) {
-      const auto& c = arranged.facets[f].corners;
+  for (std::uint32_t f = 0; f < fates.arranged.facets.size(); ++f) {
+    if (fates.fate[f] != Fate::hidden) {
+      const auto& c = fates.arranged.facets[f].corners;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t p = c[k];
-        const std::uint32_t q = c[(k + 1) % 3];
-        sides.push_back({std::min(p, q), std::max(p, q), f, (p < q) == (fate[f] == Fate::kept)});
+        const auto [low, high] = std::minmax(c[k], c[(k + 1) % 3]);
+        sides.push_back({low, high, f});
       }
     }
   }
   return in_edge_order(std::span<const Side>(sides));
 }
+
+/// Calls visit(sides) for each edge with all sides there.
+template <class Visit>
+void for_each_edge(const std::vector<Side>& sides, Visit visit) {
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t j = i + 1;
+    while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) {
+      ++j;
+    }
+    visit(std::span(sides).subspan(i, j - i));
+    i = j;
+  }
+}
+
+}  // namespace
+
 Fates::VisibleCaps Fates::visible_caps() const {
-  const std::vector<Side> sides = sides_of_kept();
+  const std::vector<Side> sides = sides_of_kept(*this);
   DisjointSets together(arranged.facets.size());
   std::vector<std::uint8_t> cap(arranged.facets.size(), 0);
   for (std::uint32_t f = 0; f < arranged.facets.size(); ++f) {

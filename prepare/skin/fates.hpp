@@ -28,12 +28,6 @@ enum class Fate : std::uint8_t { hidden, kept, turned };
 
 /// What becomes of each facet while some bodies are solid. Facets and triangles are named by number.
 struct Fates {
-  struct Side {
-    std::uint32_t low;
-    std::uint32_t high;
-    std::uint32_t facet;
-    bool forward;
-  };
   struct VisibleCaps {
     std::vector<std::uint8_t> opens;  ///< of each facet: 1 where it is of a cap that goes again
     std::size_t stay = 0;             ///< caps
@@ -64,22 +58,8 @@ struct Fates {
   [[nodiscard]] bool only_caps(const Facet& facet) const;
   /// Does it show, or hide, more than one triangle? A cap that lies on a face of its own body doesn't count.
   [[nodiscard]] bool is_shared(const Facet& facet) const;
-  /// Is it a solid's, with this solid behind it?
-  [[nodiscard]] bool of_solid(std::uint32_t f) const;
-  [[nodiscard]] std::vector<Side> sides_of_kept() const;
   /// Caps that can be seen go again, unless something but their own body and other caps is glued to them.
   [[nodiscard]] VisibleCaps visible_caps() const;
-  template <class Visit>
-  static void for_each_edge(const std::vector<Side>& sides, Visit visit) {
-    for (std::size_t i = 0; i < sides.size();) {
-      std::size_t j = i + 1;
-      while (j < sides.size() && sides[j].low == sides[i].low && sides[j].high == sides[i].high) {
-        ++j;
-      }
-      visit(std::span(sides).subspan(i, j - i));
-      i = j;
-    }
-  }
 };
 
 }  // namespace ridgecraft::prepare

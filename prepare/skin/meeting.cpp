@@ -3,14 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <set>
-#include <span>
 
-#include "base/disjoint_sets.hpp"
 #include "base/elementary.hpp"
-#include "base/geometry.hpp"
 #include "base/no_index.hpp"
 #include "base/order.hpp"
 #include "prepare/skin/arrangement.hpp"
@@ -54,7 +48,6 @@ class Meeting {
     }
     skin.changed.assign(fates_.soup.solid.size(), 0);
     skin.around.assign(fates_.soup.solid.size(), 0);
-    hide_enclosed();
     drop_caps(skin);
     if (nothing_hidden()) {
       skin.rims_closed = 0;
@@ -87,94 +80,6 @@ class Meeting {
         fates_.fate[f] = Fate::hidden;
       }
     }
-  }
-
-  /// Facets of solids that are kept and hang together.
-  struct Shell {
-    std::vector<std::array<Vec3, 3>> triangles;
-    Box3 box;
-    bool closed = true;
-    double volume = 0.0;
-  };
-
-  /// What lies in a shell that is closed can't be seen: cavities, and what is in them. The ground closes, an
-  /// opening elsewhere doesn't.
-  void hide_enclosed() {
-    const std::vector<Fates::Side> sides = fates_.sides_of_kept();
-    DisjointSets together(fates_.arranged.facets.size());
-    fates_.for_each_edge(sides, [&](std::span<const Fates::Side> edge) {
-      for (const Fates::Side& s : edge) {
-        if (fates_.of_solid(s.facet) && fates_.of_solid(edge.front().facet)) {
-          together.join(edge.front().facet, s.facet);
-        }
-      }
-    });
-    std::map<std::uint32_t, Shell> shells;
-    for (std::uint32_t f = 0; f < fates_.arranged.facets.size(); ++f) {
-      if (fates_.fate[f] != Fate::hidden && fates_.of_solid(f)) {
-        add_to(shells[together.find(f)], f);
-      }
-    }
-    const Fates::VisibleCaps caps = fates_.visible_caps();
-    const auto is_open = [&](std::uint32_t f) {
-      return caps.opens[f] != 0 && fates_.bodies.on_ground[fates_.bodies.cap[fates_.shown(f)]] == 0;
-    };
-    fates_.for_each_edge(sides, [&](std::span<const Fates::Side> edge) {
-      std::ptrdiff_t balance = 0;
-      for (const Fates::Side& s : edge) {
-        balance += !fates_.of_solid(s.facet) || is_open(s.facet) ? 0 : s.forward ? 1 : -1;
-      }
-      for (const Fates::Side& s : edge) {
-        if (balance != 0 && fates_.of_solid(s.facet)) {
-          shells[together.find(s.facet)].closed = false;
-        }
-      }
-    });
-    std::set<std::uint32_t> enclosed;
-    for (const auto& [outer, around] : shells) {
-      for (const auto& [inner, shell] : shells) {
-        if (outer != inner && around.closed && around.volume > 0.0 && contains(around, shell)) {
-          enclosed.insert(inner);
-        }
-      }
-    }
-    for (std::uint32_t f = 0; f < fates_.arranged.facets.size(); ++f) {
-      if (fates_.fate[f] != Fate::hidden && enclosed.contains(together.find(f))) {
-        fates_.fate[f] = Fate::hidden;
-      }
-    }
-  }
-
-  void add_to(Shell& shell, std::uint32_t f) const {
-    std::array<std::uint32_t, 3> c = fates_.arranged.facets[f].corners;
-    if (fates_.fate[f] == Fate::turned) {
-      std::swap(c[1], c[2]);
-    }
-    shell.triangles.push_back(
-        {fates_.arranged.points[c[0]], fates_.arranged.points[c[1]], fates_.arranged.points[c[2]]});
-    const auto& t = shell.triangles.back();
-    std::for_each(t.begin(), t.end(), [&](Vec3 p) { shell.box.add(p); });
-    const Vec3 origin = shell.triangles.front()[0];
-    shell.volume += dot(t[0] - origin, cross(t[1] - origin, t[2] - origin)) / 6.0;
-  }
-
-  static bool contains(const Shell& outer, const Shell& inner) {
-    const auto within = [](double low, double inner_low, double inner_high, double high) {
-      return low <= inner_low && inner_high <= high;
-    };
-    if (!within(outer.box.low.x, inner.box.low.x, inner.box.high.x, outer.box.high.x) ||
-        !within(outer.box.low.y, inner.box.low.y, inner.box.high.y, outer.box.high.y) ||
-        !within(outer.box.low.z, inner.box.low.z, inner.box.high.z, outer.box.high.z)) {
-      return false;
-    }
-    // Shells don't cross, so any point tells: the middle of a face.
-    const auto& first = inner.triangles.front();
-    const Vec3 p = (first[0] + first[1] + first[2]) / 3.0;
-    double angle = 0.0;
-    for (const auto& t : outer.triangles) {
-      angle += solid_angle(t[0] - p, t[1] - p, t[2] - p);
-    }
-    return angle > 2.0 * std::numbers::pi;  // half of once around
   }
 
   /// Bodies of which something is hidden or shown together with another's.
