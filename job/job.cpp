@@ -86,7 +86,7 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
 
 bool OneSkin::changed() const {
   return skin.united > 0 || skin.unseen > 0 || cleanup.left_out.count() > 0 || cleanup.proxies.count > 0 ||
-         cleanup.thin_walls.walls > 0 || cleanup.simplified.faces_before > 0;
+         cleanup.thin_walls.walls > 0;
 }
 
 /// What is too small is judged at the size that is given. Throws Error(interrupted), Error(out_of_time).
@@ -248,18 +248,6 @@ constexpr std::size_t most_judged_faces = 200000;
 /// Of the time that is left.
 constexpr double judging_share = 0.5;
 
-/// What was done to the bodies before they were united is a part of what was done to the model.
-void add_cleanup(const prepare::SimplifyReport& cleanup, double mm_per_unit,
-                 prepare::SimplifyReport& report) {
-  if (cleanup.faces_before > 0) {
-    report.faces_before = cleanup.faces_before;
-    report.deviation_mm += mm_per_unit * cleanup.deviation_mm;
-    report.asymmetry_mm = std::max(report.asymmetry_mm, mm_per_unit * cleanup.asymmetry_mm);
-    report.features_removed += cleanup.features_removed;
-    report.rulings_removed += cleanup.rulings_removed;
-  }
-}
-
 /// Lengths on paper that were measured at another size.
 void rescale(prepare::CleanupReport& cleanup, double factor) {
   cleanup.proxies.moved_mm *= factor;
@@ -314,11 +302,10 @@ class Run {
   }
 
   Result run(mesh::Model model) {
-    const double units = model.file_scale;
     mesh::Model united = unite(selected(std::move(model)));
     prepare(std::move(united));
     settle_size();
-    describe(units);
+    describe();
     require_buildable();
     remark_beforehand();
     unfold();
@@ -454,8 +441,8 @@ class Run {
     }
   }
 
-  /// What is known of the prepared model. `units`: of the file.
-  void describe(double units) {
+  /// What is known of the prepared model.
+  void describe() {
     prepare::Prepared& prepared = made_.prepared;
     if (look_) {
       prepared.look = std::make_shared<const mesh::Look>(std::move(*look_), prepared.from_model.factor,
@@ -466,7 +453,6 @@ class Run {
     const bool parted_before = options_.edges.from && used.simplify.part_attached;
     used.simplify.part_attached = prepared.attached > 0 || parted_before;
     used.bodies = used.simplify.part_attached ? prepare::Bodies::unite : used.bodies;
-    add_cleanup(made_.cleanup.simplified, prepared.mm_per_unit * units, prepared.simplified);
     made_.searched_with = settings_of(options_, used, made_.seed);
     made_.slivers = prepare::count_slivers(prepared.model.surface, prepared.panels);
   }

@@ -20,10 +20,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/bodies/block_proxies.hpp"
 #include "prepare/bodies/thin_walls.hpp"
-#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/prepared.hpp"
-#include "prepare/simplify/body.hpp"
-#include "prepare/simplify/simplify.hpp"
 #include "prepare/symmetry/isometry.hpp"
 #include "prepare/walls/walls.hpp"
 
@@ -379,8 +376,6 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
   return details;
 }
 
-/// Models of more faces are simplified before their bodies are united.
-constexpr std::size_t fine_faces = 10000;
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
 constexpr double over_detailed_fraction = 0.2;
 /// What takes the place of a over-detailed body may be so many times as far from it as simplification may
@@ -390,10 +385,6 @@ constexpr double proxies_may_move = 2.0;
 constexpr double over_detailed = 0.35;
 /// ... and this one where too many faces would crumple bodies that could be folded.
 constexpr double over_detailed_among_many = 0.12;
-/// Of the way that simplification may move the surface, the share that it may before (twice as far where
-/// there are too many faces, as always).
-constexpr double first_part = 0.25;
-
 /// How many millimetres a unit of the model becomes, as far as is known before it has its size.
 double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
   const double largest = model.surface.bounds().largest_extent();
@@ -450,15 +441,6 @@ CleanupReport clean_bodies(mesh::Model& model, const SizeOptions& size, const Si
                            context);
     report.proxies.moved_mm *= mm;
   }
-  if (model.surface.face_count() <= fine_faces || model.surface.component_count() < 2) {
-    return report;
-  }
-  SimplifyOptions first = in_units;
-  first.sliver_mm = 0.0;  // the union makes others
-  first.largest_deviation *= first_part;
-  const std::size_t faces_before = model.surface.face_count();
-  report.simplified = prepare::simplify(model, first, context);
-  report.simplified.faces_before = faces_before;
   return report;
 }
 

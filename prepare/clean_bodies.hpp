@@ -17,11 +17,9 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
                           const Context& context);
 
 /// Bodies that nobody could cut and hold at this size are left out: once united with a wall, they would be
-/// details of it that nothing takes away any more. Models of very many faces are simplified body by body, as
-/// an exact union of fine bodies would have still more faces, along every line where they meet; the surface
-/// moves by no more than a quarter of what simplification may move it. Thin walls become sheets before all
-/// that (prepare/bodies). The model keeps its place and unit. Models that keep their faces stay as they are.
-/// O(n log n). Throws Error(interrupted), Error(out_of_time).
+/// details of it that nothing takes away any more. Thin walls become sheets before that (prepare/bodies). The
+/// model keeps its place and unit. Models that keep their faces stay as they are. O(n log n). Throws
+/// Error(interrupted), Error(out_of_time).
 CleanupReport clean_bodies(mesh::Model& model, const SizeOptions& size, const SimplifyOptions& simplify,
                            const Context& context);
 

@@ -47,14 +47,6 @@ double allowed_slivers(const Prepared& prepared) {
   return prepared.simplified.at_its_size ? most_slivers : most_own_slivers;
 }
 
-/// Turned edges make slivers go, but not what made them: short sides, where tabs find no room. So for the
-/// choice of a size they count as the slivers that they were.
-bool suits(const Prepared& prepared) {
-  const auto faces = static_cast<double>(prepared.model.surface.face_count());
-  const double turned = static_cast<double>(prepared.simplified.edges_turned) / faces;
-  return can_be_folded(prepared) && prepared.sliver_fraction + turned <= allowed_slivers(prepared);
-}
-
 bool is_cramped(const Prepared& prepared) {
   return prepared.simplified.cramped_fraction > most_cramped;
 }
@@ -65,7 +57,7 @@ bool is_spoilt(const Prepared& prepared) {
 
 /// Neither its folds nor its tabs and numbers lack room, and its shape is the file's.
 bool is_roomy(const Prepared& prepared) {
-  return suits(prepared) && !is_cramped(prepared) && !is_spoilt(prepared);
+  return can_be_folded(prepared) && !is_cramped(prepared) && !is_spoilt(prepared);
 }
 
 double extent_of(const Prepared& prepared) {
@@ -104,7 +96,7 @@ class SizeSearch {
         if (pages(found) > size.most_pages) {
           return false;
         }
-        if (!suits(found)) {
+        if (!can_be_folded(found)) {
           return true;
         }
         const double share = found.simplified.cramped_fraction;
@@ -146,7 +138,7 @@ class SizeSearch {
   [[nodiscard]] std::optional<Prepared> smaller(double mm) const {
     return in_time([&] {
       std::optional<Prepared> found = at(mm);
-      return suits(*found) ? std::move(found) : std::nullopt;
+      return can_be_folded(*found) ? std::move(found) : std::nullopt;
     });
   }
 
@@ -223,7 +215,7 @@ class SizeChoice {
   /// Of the size that it has by default, or of another one between the limits that suits it better.
   Prepared at_fitting_size() {
     make_foldable();
-    if (!suits(best_)) {
+    if (!can_be_folded(best_)) {
       return std::move(best_);
     }
     const double pages = search_.pages(best_);
@@ -271,11 +263,11 @@ class SizeChoice {
 
   /// At a larger size within the limits where it can't be folded at its own.
   void make_foldable() {
-    if (suits(best_) || coarsen_for_room()) {
+    if (can_be_folded(best_) || coarsen_for_room()) {
       return;
     }
     std::optional<double> foldable_mm;
-    std::optional<Prepared> larger = search_.larger(extent_of(best_), suits, foldable_mm);
+    std::optional<Prepared> larger = search_.larger(extent_of(best_), can_be_folded, foldable_mm);
     if (larger && extent_of(*larger) <= size_.largest_mm && search_.pages(*larger) <= size_.most_pages) {
       replace(std::move(larger));
       best_.size_reason = SizeReason::folds;
@@ -314,7 +306,7 @@ bool can_be_folded(const Prepared& prepared) {
 }
 
 bool is_as_good(const Prepared& prepared, const Prepared& other) {
-  return suits(prepared) && prepared.sliver_fraction <= other.sliver_fraction &&
+  return can_be_folded(prepared) && prepared.sliver_fraction <= other.sliver_fraction &&
          prepared.model.surface.component_count() <= other.model.surface.component_count() &&
          prepared.simplified.cramped_fraction <=
              std::max(hardly_cramped, other.simplified.cramped_fraction) &&

@@ -50,9 +50,6 @@ struct SimplifyOptions {
   double tiny_edge_mm = 3.0;
   /// ... and the model is simplified when more than this share of its fold edges are.
   double short_edge_fraction = 0.1;
-  /// automatic: where faces are narrower than this, edges beside them are turned if that makes them go. 0:
-  /// none.
-  double sliver_mm = 1.0;
   /// automatic: nobody builds a model of more triangles.
   std::size_t most_faces = 1000;
   /// automatic: the surface may move by this share of the model's largest extent.

@@ -59,7 +59,6 @@ struct SimplifyReport {
   std::size_t features_removed = 0;  ///< automatic: small holes closed and small knobs cut off flat walls
   /// automatic: lines between narrow faces side by side that went, of arches, columns and rounded corners
   std::size_t rulings_removed = 0;
-  std::size_t edges_turned = 0;  ///< automatic: behind faces too narrow to be folded
   double deviation_mm = 0.0;  ///< greatest measured distance between the old and the new surface, both ways
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.
@@ -145,9 +144,6 @@ struct CleanupReport {
   ThinWallReport thin_walls;
   Details left_out;
   BlockProxies proxies;
-  /// Of bodies that were simplified one by one, lengths in units of the surface that was given; else without
-  /// any faces.
-  SimplifyReport simplified;
 };
 
 /// Pages of a printable area that pieces of so much area fill.

@@ -18,6 +18,14 @@
 namespace ridgecraft::prepare {
 namespace {
 
+/// Nothing recognisable is left of a body below this many faces: a box.
+constexpr std::size_t fewest_faces = 12;
+/// Of bodies of more faces flat regions aren't remeshed, and the first collapses are made many at a time, ...
+constexpr std::size_t very_many_faces = 100000;
+/// ... down to this multiple of what needs no care.
+constexpr std::size_t quick = 4;
+/// They may move the surface by this fraction of what it may move.
+constexpr double quick_fraction = 0.1;
 constexpr double coarse = 3.0;
 /// A surface of equilateral triangles with the short edge has so many faces.
 double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) {
@@ -25,12 +33,13 @@ double faces_of_short_edges(const mesh::Surface& surface, double short_edge_mm) 
   return std::clamp(mesh::total_area(surface) / small_face, double{fewest_faces}, 1e9);
 }
 
-}  // namespace
-
+/// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
+/// short one would give. Linear.
 std::size_t careless_faces(const mesh::Surface& surface, double short_edge_mm) {
   return static_cast<std::size_t>(coarse * faces_of_short_edges(surface, short_edge_mm));
 }
 
+/// A domain without its copies as a model. `model` is the whole taken apart.
 mesh::Model as_it_is(const FundamentalDomain& domain, const mesh::LooseFaces& model) {
   mesh::LooseFaces faces;
   if (domain.copies.empty()) {
@@ -44,6 +53,8 @@ mesh::Model as_it_is(const FundamentalDomain& domain, const mesh::LooseFaces& mo
   mesh::put_together(result, std::move(faces));
   return result;
 }
+
+}  // namespace
 
 mesh::Model model_of(const FundamentalDomain& domain, const mesh::LooseFaces& model, const Context& context) {
   mesh::Model result = as_it_is(domain, model);

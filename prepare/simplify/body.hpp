@@ -17,23 +17,7 @@
 
 namespace ridgecraft::prepare {
 
-/// Nothing recognisable is left of a body below this many faces: a box.
-inline constexpr std::size_t fewest_faces = 12;
-/// Of bodies of more faces flat regions aren't remeshed, and the first collapses are made many at a time, ...
-inline constexpr std::size_t very_many_faces = 100000;
-/// ... down to this multiple of what needs no care.
-inline constexpr std::size_t quick = 4;
-/// They may move the surface by this fraction of what it may move.
-inline constexpr double quick_fraction = 0.1;
-
-/// Down to so many faces of a surface in mm no care is needed: three times those that edges as long as the
-/// short one would give. Linear.
-[[nodiscard]] std::size_t careless_faces(const mesh::Surface& surface, double short_edge_mm);
-
-/// A domain without its copies as a model. `model` is the whole taken apart.
-[[nodiscard]] mesh::Model as_it_is(const FundamentalDomain& domain, const mesh::LooseFaces& model);
-
-/// The same with its panels remeshed.
+/// A domain without its copies as a model, with its panels remeshed. `model` is the whole taken apart.
 [[nodiscard]] mesh::Model model_of(const FundamentalDomain& domain, const mesh::LooseFaces& model,
                                    const Context& context);
 

@@ -12,7 +12,6 @@
 
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/collapses/quick_collapses.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/domains/find_domain.hpp"
 #include "prepare/features/features.hpp"
@@ -21,70 +20,13 @@
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/body.hpp"
-#include "prepare/simplify/slivers.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
-/// Flat regions of this many times the short edge's square stay flat: the foot of a statue.
-constexpr double large_flat = 1.0;
-
-/// Flat regions as if they were walls.
-Walls large_regions(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
-  Walls result;
-  result.walls.emplace_back();
-  result.of_face.assign(surface.face_count(), Walls::none);
-  for (const std::vector<FaceId>& faces : panels.faces) {
-    double area = 0.0;
-    for (const FaceId f : faces) {
-      area += surface.area(f);
-    }
-    if (area >= large_flat * short_edge_mm * short_edge_mm) {
-      for (const FaceId f : faces) {
-        result.of_face[f.value()] = 0;
-      }
-    }
-  }
-  return result;
-}
-
-}  // namespace
-
-bool is_dense(const mesh::Surface& surface, const SimplifyOptions& options) {
-  return surface.face_count() > std::max(very_many_faces, options.most_faces) &&
-         surface.face_count() > 2 * quick * careless_faces(surface, options.short_edge_mm);
-}
-
-std::optional<Dense> thin_out(mesh::Model& model, double symmetric_within, const SimplifyOptions& options,
-                              const Context& context) {
-  const std::size_t aim = quick * careless_faces(model.surface, options.short_edge_mm);
-  const double largest_mm = options.largest_deviation * model.surface.bounds().largest_extent();
-  mesh::LooseFaces faces;
-  Dense dense;
-  {
-    const Panels panels = find_panels(model.surface);
-    context.check();
-    const Walls walls = find_walls(model.surface, panels, options.short_edge_mm, Slats::are_walls);
-    if (!walls.walls.empty()) {
-      return std::nullopt;
-    }
-    context.check();
-    dense.short_edges_fraction = fold_figures(model.surface, panels, walls, options).short_fraction();
-    const mesh::LooseFaces all = mesh::take_apart(model);
-    const FundamentalDomain domain = fundamental_domain(model, symmetric_within, context);
-    dense.asymmetry_mm = domain.deviation;
-    const Walls flat = walls_of(large_regions(model.surface, panels, options.short_edge_mm), domain);
-    faces = expand(
-        collapsed(domain, quick_collapses(domain, flat, aim, quick_fraction * largest_mm, context)), all);
-  }
-  dense.before = std::move(model.surface);
-  mesh::put_together(model, std::move(faces));
-  return dense;
-}
-
-namespace {
-
+/// Samples by which it is measured how far a surface moved are this share of its largest extent apart.
+constexpr double sample_spacing = 0.015;
 /// Where a model has too many faces, bodies with so few keep theirs.
 constexpr std::size_t few_faces = 24;
 /// What is tried there, one after the other: walls are what would be ones if the short edge were so many
@@ -211,10 +153,9 @@ void take_over(mesh::Model& model, mesh::LooseFaces&& faces, const mesh::Surface
   model.texture = {};
 }
 
-/// `before`: the model's own surface, or what that was before it was thinned out.
-void simplify_to_fold(mesh::Model& model, const mesh::Surface& before, const SimplifyOptions& options,
-                      SimplifyReport& report, const Context& context) {
-  const bool thinned = before.face_count() != model.surface.face_count();
+void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
+                      const Context& context) {
+  const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   const bool changed = remove_details(model, options, largest_mm, report, context);
@@ -227,11 +168,9 @@ void simplify_to_fold(mesh::Model& model, const mesh::Surface& before, const Sim
   std::vector<FundamentalDomain> bodies = divided(start);
   start = {};  // large
   const bool collapsed = simplify_bodies(model, bodies, rules, context);
-  FundamentalDomain domain = joined(bodies);
-  report.edges_turned = remove_slivers(domain, options.sliver_mm);
-  if (changed || thinned || collapsed || report.edges_turned > 0) {
+  if (changed || collapsed) {
     report.asymmetry_mm = asymmetry_mm;
-    take_over(model, expand(domain, all), before, report, context);
+    take_over(model, expand(joined(bodies), all), before, report, context);
   }
 }
 
@@ -272,7 +211,7 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   automatic.most_faces = options.faces;
   mesh::Model other = kept;
   SimplifyReport of_other = report;
-  simplify_to_fold(other, kept.surface, automatic, of_other, context);
+  simplify_to_fold(other, automatic, of_other, context);
   if (other.surface.face_count() > options.faces) {
     collapse_to_count(other, options, of_other, context);
     of_other.deviation_mm = deviation_between(other.surface, kept.surface, context);
@@ -288,23 +227,14 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
-  std::optional<Dense> dense;
-  if (options.mode == Simplification::automatic && is_dense(model.surface, options)) {
-    dense = thin_out(model, symmetric_within, options, context);
-  }
   remesh_panels(model, context);
-  report.short_edges_before =
-      dense ? dense->short_edges_fraction : fold_figures(model.surface, options).short_fraction();
+  report.short_edges_before = fold_figures(model.surface, options).short_fraction();
   if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_fraction ||
                                                     model.surface.face_count() > options.most_faces)) {
-    const mesh::Surface before = dense ? std::move(dense->before) : model.surface;
-    simplify_to_fold(model, before, options, report, context);
+    simplify_to_fold(model, options, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
-  }
-  if (dense) {
-    report.asymmetry_mm = std::max(report.asymmetry_mm, visible_asymmetry(dense->asymmetry_mm, model));
   }
   report.faces_after = model.surface.face_count();
   report.short_edges_after = fold_figures(model.surface, options).short_fraction();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies before they are united: which are left out as nobody could hold them, which are simplified.
+// Bodies before they are united: which are left out as nobody could hold them.
 #include "prepare/clean_bodies.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "mesh/mesh.hpp"
 #include "support/soups.hpp"
@@ -86,7 +85,6 @@ TEST_CASE("what nobody could hold is left out: bars, crumbs and panes on a wall"
   const CleanupReport report = ready(model, 150.0);
   CHECK(report.left_out.small == 2);
   CHECK(report.left_out.flat == 1);
-  CHECK(report.simplified.faces_before == 0);
   CHECK(model.surface.component_count() == before - 3);
   // The long post is as narrow as the bar and stays.
   CHECK(model.surface.bounds().high.y == 102.0);
@@ -148,48 +146,6 @@ TEST_CASE("who keeps all faces keeps all bodies") {
   Model model = bodies.model();
   CHECK(ready(model, 150.0, prepare::Simplification::keep).left_out.count() == 0);
   CHECK(ready(model, 150.0, prepare::Simplification::count).left_out.count() == 1);
-}
-
-TEST_CASE("fine bodies are simplified one by one") {
-  // Two tubes with as many sides as nobody folds.
-  Bodies bodies;
-  constexpr std::uint32_t sides = 3000;
-  for (const double x : {0.0, 60.0}) {
-    std::vector<Vec3> points;
-    std::vector<std::vector<std::uint32_t>> faces(2);
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const double t = 2.0 * std::numbers::pi * i / sides;
-      for (const double z : {0.0, 150.0}) {
-        points.push_back({x + 40.0 * std::cos(t), 40.0 * std::sin(t), z});
-      }
-    }
-    for (std::uint32_t i = 0; i < sides; ++i) {
-      const std::uint32_t next = (i + 1) % sides;
-      faces.push_back({2 * i, 2 * next, 2 * next + 1, 2 * i + 1});
-      faces[0].push_back(2 * (sides - 1 - i));
-      faces[1].push_back(2 * i + 1);
-    }
-    bodies.add(points, faces);
-  }
-  mesh::Soup named = soup(bodies.points, bodies.faces);
-  named.objects = {{0, "left tube"}, {2 + sides, "right tube"}};
-  Model model = mesh::repair(std::move(named), {}, Context());
-  const std::size_t before = model.surface.face_count();
-  REQUIRE(before > 10000);
-  const CleanupReport report = ready(model, 300.0);
-  CHECK(report.simplified.faces_before == before);
-  CHECK(model.surface.face_count() < 1000);
-  CHECK(model.surface.component_count() == 2);
-  // 1 % of the extent at most, in the file's unit.
-  CHECK(report.simplified.deviation_mm > 0.0);
-  CHECK(report.simplified.deviation_mm <= 1.5);
-  // Its place and unit stay.
-  CHECK(std::abs(model.surface.bounds().high.x - 100.0) < 1.5);
-  // Faces that are of no polygon any more still know what they belong to; a name is more than a place: the
-  // tubes run into each other.
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    CHECK(model.object_name(f) == (model.surface.component(f).value() == 0 ? "left tube" : "right tube"));
-  }
 }
 
 TEST_CASE("a model with too many faces loses details that would be hard to fold, if they are why") {

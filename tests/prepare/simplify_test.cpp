@@ -152,11 +152,9 @@ TEST_CASE("short folds are counted at the size that was asked for", "[simplify]"
   }
 }
 
-// Smooth models of very many faces, of which most go before anything else is done.
+// Models of very many faces.
 
 namespace {
-
-constexpr double symmetric_within = 0.004;
 
 /// A lump of 60 mm with the same bumps on both sides of x = 0, which stands on a flat foot.
 mesh::Model lump() {
@@ -176,51 +174,28 @@ mesh::Model lump() {
 
 }  // namespace
 
-TEST_CASE("a dense smooth model keeps its shape, its foot and its symmetry with far fewer faces",
-          "[thin_out]") {
+TEST_CASE("a model of very many faces keeps its shape, its foot and its symmetry", "[simplify]") {
   mesh::Model model = lump();
   const mesh::Surface before = model.surface;
-  REQUIRE(prepare::is_dense(before, {}));
-  const auto dense = prepare::thin_out(model, symmetric_within, {}, {});
-  REQUIRE(dense);
-  CHECK(dense->before.face_count() == before.face_count());
+  REQUIRE(before.face_count() > 100000);
+  const SimplifyOptions options;
+  static_cast<void>(prepare::simplify(model, options, {}));
   CHECK(test::euler(model.surface) == 2);
-  // What is left of the foot is its outline with all that is within it.
-  double foot = 0.0;
-  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
-    foot += model.surface.normal(f).z < -0.9999 ? model.surface.area(f) : 0.0;
-  }
-  double foot_before = 0.0;
-  std::size_t of_foot = 0;
-  for (const FaceId f : ids<FaceId>(before.face_count())) {
-    foot_before += before.normal(f).z < -0.9999 ? before.area(f) : 0.0;
-    of_foot += before.normal(f).z < -0.9999 ? 1U : 0U;
-  }
-  CHECK(foot == Approx(foot_before).epsilon(1e-3));
-  CHECK(model.surface.face_count() <
-        prepare::quick * prepare::careless_faces(before, prepare::SimplifyOptions{}.short_edge_mm) + of_foot +
-            2000);
-  // A tenth of what it may move in the mean of squares; at the worst place it's more.
-  const double may_move = prepare::SimplifyOptions{}.largest_deviation * before.bounds().largest_extent();
+  CHECK(model.surface.face_count() <= options.most_faces);
+  const auto foot = [](const mesh::Surface& surface) {
+    double area = 0.0;
+    for (const FaceId f : ids<FaceId>(surface.face_count())) {
+      area += surface.normal(f).z < -0.999 ? surface.area(f) : 0.0;
+    }
+    return area;
+  };
+  CHECK(foot(model.surface) == Approx(foot(before)).epsilon(0.05));
   CHECK(greatest_distance(mesh::SurfaceTree(model.surface, 0.5), mesh::SurfaceTree(before, 0.5), INFINITY,
-                          {}) < 0.5 * may_move);
+                          {}) < options.largest_deviation * before.bounds().largest_extent());
   const auto mirrors = prepare::find_mirrors(model.surface, 1);
   REQUIRE(mirrors.size() == 1);
   CHECK(mirrors[0].exact);
   CHECK(std::abs(mirrors[0].plane.normal.x) == Approx(1.0));
-}
-
-TEST_CASE("what has walls isn't thinned out", "[thin_out]") {
-  const mesh::Surface surface = test::scaled(test::voxels({{0, 0, 0}}, 100), 30.0);
-  mesh::Model model = test::model_of(surface);
-  CHECK(prepare::is_dense(model.surface, {}));
-  CHECK_FALSE(prepare::thin_out(model, symmetric_within, {}, {}));
-  CHECK(model.surface.face_count() == surface.face_count());
-}
-
-TEST_CASE("a model that is no finer than its folds can be long isn't dense", "[thin_out]") {
-  CHECK_FALSE(prepare::is_dense(test::scaled(test::sphere(40, 20), 30.0), {}));
-  CHECK_FALSE(prepare::is_dense(test::scaled(test::sphere(330, 170), 300.0), {}));
 }
 
 // The first collapses of models of very many faces.
