@@ -10,9 +10,18 @@
 #include <vector>
 
 #include "base/context.hpp"
-#include "prepare/skin/fates.hpp"
+#include "prepare/skin/facets.hpp"
 
 namespace ridgecraft::prepare {
+
+/// Bodies with their caps.
+struct CappedBodies {
+  BodySoup soup;
+  std::vector<FaceId> face;             ///< of each triangle: of the model's surface; none for those of caps
+  std::vector<std::uint32_t> cap;       ///< of each triangle: which cap it is of, or no_cap
+  std::vector<std::uint8_t> on_ground;  ///< of each cap: the model stands on it
+  std::vector<std::uint8_t> bent;       ///< of each cap: a guess that must not be seen
+};
 
 /// Points of bodies that change are laid on a grid of about this share of the model's diagonal: what is meant
 /// to lie on each other does so then, and no plane is tilted by more than a panel may be.
