@@ -70,7 +70,6 @@ STEPS = {
     "over_detailed": ("prepare/clean_bodies.cpp", "if (simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {\n    left_out", "if (!OUT && simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {\n    left_out"),
     "reliefs_of_bodies": ("prepare/clean_bodies.cpp", "    find_reliefs();\n", "    if (!OUT) find_reliefs();\n"),
     "block_proxies": ("prepare/clean_bodies.cpp", "if (too_many || fold_figures(", "if (!OUT && (too_many || fold_figures("),
-    "features": ("prepare/features/features.cpp", "  FeatureRemover remover(model", "  if (OUT) {\n    return 0;\n  }\n  FeatureRemover remover(model"),
     "reliefs": ("prepare/features/trim_reliefs.cpp", "const ReliefLimits& limits,\n                         const Context& context) {\n", "const ReliefLimits& limits,\n                         const Context& context) {\n  if (OUT) {\n    return 0;\n  }\n"),
     "rulings": ("prepare/features/thin_rulings.cpp", "double largest_mm,\n                         const Context& context) {\n", "double largest_mm,\n                         const Context& context) {\n  if (OUT) {\n    return 0;\n  }\n"),
     "coarser_attempts": ("prepare/simplify/simplify.cpp", "    if (all <= options.most_faces) {\n      break;", "    if (OUT || all <= options.most_faces) {\n      break;"),

@@ -12,7 +12,6 @@
 #include "mesh/model/model.hpp"
 #include "mesh/model/surface.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/prepared/options.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
@@ -36,9 +35,6 @@ struct WallLoop {
 /// Those of all walls, but for each wall's outline, which is the largest of its loops. O(n log n).
 [[nodiscard]] std::vector<WallLoop> loops_within(const mesh::Surface& surface, const Walls& walls);
 
-/// The largest loop of each wall. O(n log n).
-[[nodiscard]] std::vector<WallLoop> outlines(const mesh::Surface& surface, const Walls& walls);
-
 /// Of a point from a box; 0 within it.
 [[nodiscard]] double distance(const Box3& box, Vec3 p);
 
@@ -53,12 +49,5 @@ using Caps = std::vector<std::pair<std::array<std::uint32_t, 3>, std::size_t>>;
 /// The faces that aren't `gone`, then the caps, which are of no polygon.
 [[nodiscard]] mesh::LooseFaces with_caps(const mesh::LooseFaces& all, const std::vector<bool>& gone,
                                          const Caps& caps);
-
-// Screw holes and knobs of flat walls go before anything else is simplified. Private to prepare/.
-
-/// Closes what opens in a wall within a loop no larger than a short edge, and goes no deeper or higher than
-/// `largest_mm`: holes through plates, blind ones, studs, engraved and raised letters. The wall goes on flat
-/// there. Returns how many. Panels must have been remeshed; they must be again. O(n log n).
-std::size_t remove_features(mesh::Model& model, const SimplifyOptions& options, double largest_mm);
 
 }  // namespace ridgecraft::prepare

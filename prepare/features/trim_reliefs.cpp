@@ -14,6 +14,7 @@
 
 #include "base/delaunay.hpp"
 #include "base/geometry.hpp"
+#include "base/no_index.hpp"
 #include "mesh/model/model.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/features/features.hpp"
@@ -265,19 +266,20 @@ class ReliefTrimmer {
         short_edge_(options.short_edge_mm),
         limits_(limits),
         in_plane_(in_plane * options.short_edge_mm),
-        of_loop_(surface_.corner_count(), false),
+        loop_at_(surface_.corner_count(), no_index),
         cuts_(model, in_plane_) {}
 
   std::size_t run(mesh::Model& model) {
-    for (const WallLoop& loop : loops_) {
-      for (const CornerId c : loop.sides) {
-        of_loop_[c.value()] = true;
+    for (std::uint32_t l = 0; l < loops_.size(); ++l) {
+      for (const CornerId c : loops_[l].sides) {
+        loop_at_[c.value()] = l;
       }
     }
     std::size_t count = 0;
-    for (const WallLoop& loop : loops_) {
+    for (std::uint32_t l = 0; l < loops_.size(); ++l) {
+      const WallLoop& loop = loops_[l];
       if (loop.box.largest_extent() <= short_edge_ || loop.leaves_wall()) {
-        count += close(loop) ? 1U : trim(loop, 1.0) + trim(loop, -1.0);
+        count += close(l) ? 1U : trim(loop, 1.0) + trim(loop, -1.0);
       }
     }
     return count > 0 && cuts_.finish(model) ? count : 0;
@@ -303,50 +305,83 @@ class ReliefTrimmer {
            distance(side.loop->box, surface_.point(v)) <= limits_.height_mm;
   }
 
-  /// Takes out all that is behind a loop, if all of it is shallow and comes out nowhere else.
-  bool close(const WallLoop& loop) {
-    std::set<FaceId> inside;
+  /// Whether a loop may be the end of a hole through a plate: no larger than a short edge, and so narrow that
+  /// no place of it is far from what closes it.
+  [[nodiscard]] bool is_narrow(const WallLoop& loop) const {
+    const Vec3 size = loop.box.size();
+    std::array<double, 3> extents{size.x, size.y, size.z};
+    std::sort(extents.begin(), extents.end());
+    return !loop.has_rims && extents[2] <= short_edge_ && extents[1] <= 2.0 * limits_.height_mm;
+  }
+
+  /// Whether a place is near a loop, and near its wall.
+  [[nodiscard]] bool is_near(const WallLoop& loop, VertexId v) const {
+    return is_shallow(side_of(loop, 1.0), v) && is_shallow(side_of(loop, -1.0), v);
+  }
+
+  /// What is behind a loop, and the loops at which it comes out, this one among them.
+  struct Behind {
+    std::set<FaceId> faces;
+    std::set<std::uint32_t> ends;
+  };
+
+  /// None where it leads farther than twice what is shallow.
+  [[nodiscard]] std::optional<Behind> behind(std::uint32_t first) const {
+    Behind found;
     std::vector<FaceId> next;
     const auto visit = [&](CornerId beyond) {
-      const FaceId f = mesh::face_of(beyond);
-      if (inside.insert(f).second) {
-        next.push_back(f);
+      if (beyond.valid() && found.faces.insert(mesh::face_of(beyond)).second) {
+        next.push_back(mesh::face_of(beyond));
       }
     };
-    std::set<std::uint32_t> ends;
-    for (const CornerId c : loop.sides) {
-      ends.insert(c.value());
-      if (surface_.twin(c).valid()) {
-        visit(surface_.twin(c));
+    const auto end_at = [&](std::uint32_t l) {
+      if (found.ends.insert(l).second) {
+        std::ranges::for_each(loops_[l].sides, [&](CornerId c) { visit(surface_.twin(c)); });
       }
-    }
-    const Side front = side_of(loop, 1.0);
-    const Side behind = side_of(loop, -1.0);
+    };
+    end_at(first);
     while (!next.empty()) {
       const FaceId f = next.back();
       next.pop_back();
-      const auto corners = surface_.vertices(f);
-      if (cuts_.is_gone(f) || !std::all_of(corners.begin(), corners.end(), [&](VertexId v) {
-            return is_shallow(front, v) && is_shallow(behind, v);
+      if (cuts_.is_gone(f) || !std::ranges::all_of(surface_.vertices(f), [&](VertexId v) {
+            return distance(loops_[first].box, surface_.point(v)) <= 2.0 * limits_.height_mm;
           })) {
-        return false;
+        return std::nullopt;
       }
       for (unsigned k = 0; k < 3; ++k) {
         const CornerId beyond = surface_.twin(mesh::corner(f, k));
-        if (!beyond.valid() || ends.contains(beyond.value())) {
-          continue;
+        if (beyond.valid() && loop_at_[beyond.value()] != no_index) {
+          end_at(loop_at_[beyond.value()]);
+        } else {
+          visit(beyond);
         }
-        if (of_loop_[beyond.value()]) {
-          return false;
-        }
-        visit(beyond);
       }
     }
-    PlaneCut cut;
-    if (inside.empty() || !goes(front, inside) || !close_loop(surface_, walls_, loop, cut.caps)) {
+    return found;
+  }
+
+  /// Takes out all that is behind a loop, if all of it is shallow and comes out nowhere else, or is a narrow
+  /// hole through a plate.
+  bool close(std::uint32_t first) {
+    const std::optional<Behind> found = behind(first);
+    const auto is_narrow_end = [&](std::uint32_t l) { return is_narrow(loops_[l]); };
+    if (!found || found->faces.empty() ||
+        (found->ends.size() > 1 && !std::ranges::all_of(found->ends, is_narrow_end))) {
       return false;
     }
-    cut.faces.assign(inside.begin(), inside.end());
+    const bool near = std::ranges::all_of(found->faces, [&](FaceId f) {
+      return std::ranges::all_of(surface_.vertices(f), [&](VertexId v) {
+        return std::ranges::any_of(found->ends, [&](std::uint32_t l) { return is_near(loops_[l], v); });
+      });
+    });
+    PlaneCut cut;
+    if (!near || !goes(side_of(loops_[first], 1.0), found->faces) ||
+        !std::ranges::all_of(found->ends, [&](std::uint32_t l) {
+          return close_loop(surface_, walls_, loops_[l], cut.caps);
+        })) {
+      return false;
+    }
+    cut.faces.assign(found->faces.begin(), found->faces.end());
     cuts_.make(cut);
     return true;
   }
@@ -407,7 +442,7 @@ class ReliefTrimmer {
   double short_edge_;
   ReliefLimits limits_;
   double in_plane_;
-  std::vector<bool> of_loop_;  ///< sides of walls
+  std::vector<std::uint32_t> loop_at_;  ///< of each side of a wall: the loop that it is part of
   PlaneCuts cuts_;
 };
 

@@ -14,7 +14,6 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/domains/find_domain.hpp"
-#include "prepare/features/features.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
@@ -130,11 +129,7 @@ std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, 
 /// What is done to whole bodies and walls before edges collapse. Returns whether anything changed.
 bool remove_details(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                     SimplifyReport& report, const Context& context) {
-  report.features_removed = remove_features(model, options, largest_mm);
-  if (report.features_removed > 0) {
-    remesh_panels(model, context);
-  }
-  report.features_removed += flatten_reliefs(model, options, largest_mm, context);
+  report.features_removed = flatten_reliefs(model, options, largest_mm, context);
   report.rulings_removed = thin_rulings(model, options, largest_mm, context);
   return report.features_removed + report.rulings_removed > 0;
 }

@@ -12,7 +12,7 @@
 #include "prepare/common_models.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/domains/find_domain.hpp"
-#include "prepare/features/features.hpp"
+#include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepare.hpp"
 #include "support/shapes.hpp"
@@ -246,17 +246,16 @@ TEST_CASE("small holes through walls are closed", "[walls]") {
   prepare::remesh_panels(model, {});
   REQUIRE(test::euler(model.surface) == 0);
   mesh::Model closed = model;
-  CHECK(prepare::remove_features(closed, {}, 3.0) == 1);
-  prepare::remesh_panels(closed, {});
+  CHECK(prepare::trim_reliefs(closed, {}, {3.0}, {}) == 1);
   CHECK(test::euler(closed.surface) == 2);
   CHECK(closed.surface.face_count() == 12);
   test::check_invariants(closed.surface);
   // Deeper than the surface may move, or wider than a short edge, it stays.
   mesh::Model deep = model;
-  CHECK(prepare::remove_features(deep, {}, 2.0) == 0);
+  CHECK(prepare::trim_reliefs(deep, {}, {2.0}, {}) == 0);
   SimplifyOptions narrow;
   narrow.short_edge_mm = 4.0;
-  CHECK(prepare::remove_features(deep, narrow, 3.0) == 0);
+  CHECK(prepare::trim_reliefs(deep, narrow, {3.0}, {}) == 0);
   CHECK(deep.surface.face_count() == model.surface.face_count());
 }
 
