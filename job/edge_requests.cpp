@@ -349,28 +349,22 @@ void note_count(const SegmentCount& count, const std::string& what, std::vector<
 EdgeConstraints constraints_asked(const prepare::Prepared& prepared, const std::vector<Segment>& cut,
                                   const std::vector<Segment>& keep, const Context& context,
                                   std::vector<Message>& notes) {
-  SegmentCount cuts;
-  SegmentCount keeps;
-  SegmentCount none;
   const auto match = [&](const std::vector<Segment>& to_cut, const std::vector<Segment>& to_keep) {
-    return unfold::match_segments(prepared.model.surface, prepared.panels, to_cut, to_keep,
-                                  to_cut.empty() ? none : cuts, to_keep.empty() ? none : keeps, context);
+    return unfold::match_segments(prepared.model.surface, prepared.panels, to_cut, to_keep, context);
   };
-  EdgeConstraints constraints = match(cut, {});
-  if (!keep.empty()) {
-    const EdgeConstraints kept = match({}, keep);
-    std::size_t both = 0;
-    for (const EdgeId e : ids<EdgeId>(constraints.size())) {
-      both += constraints[e] == EdgeConstraint::cut && kept[e] == EdgeConstraint::keep ? 1U : 0U;
-      constraints[e] = constraints[e] == EdgeConstraint::none ? kept[e] : constraints[e];
-    }
-    if (both > 0) {
-      notes.push_back(Message("cut_and_kept", {{"n", both}}));
-    }
+  auto [constraints, cuts, none] = match(cut, {});
+  const unfold::MatchedSegments kept = match({}, keep);
+  std::size_t both = 0;
+  for (const EdgeId e : ids<EdgeId>(constraints.size())) {
+    both += constraints[e] == EdgeConstraint::cut && kept.constraints[e] == EdgeConstraint::keep ? 1U : 0U;
+    constraints[e] = constraints[e] == EdgeConstraint::none ? kept.constraints[e] : constraints[e];
+  }
+  if (both > 0) {
+    notes.push_back(Message("cut_and_kept", {{"n", both}}));
   }
   note_count(cuts, "cuts", notes);
-  note_count(keeps, "keeps", notes);
-  return constraints;
+  note_count(kept.keep, "keeps", notes);
+  return std::move(constraints);
 }
 
 EdgeConstraints constraints_from_nets(const OldNets& old, const prepare::Prepared& prepared,
@@ -378,10 +372,8 @@ EdgeConstraints constraints_from_nets(const OldNets& old, const prepare::Prepare
   const mesh::Surface& surface = prepared.model.surface;
   const Seams seams =
       is_fold_file(old) ? seams_of_fold(old, surface) : seams_of_model_file(old, surface, context);
-  SegmentCount cuts;
-  SegmentCount keeps;
-  EdgeConstraints constraints =
-      unfold::match_segments(surface, prepared.panels, seams.cut, seams.keep, cuts, keeps, context);
+  auto [constraints, cuts, keeps] =
+      unfold::match_segments(surface, prepared.panels, seams.cut, seams.keep, context);
   const std::size_t lost = cuts.lost + keeps.lost;
   const std::size_t all = seams.cut.size() + seams.keep.size();
   if (static_cast<double>(lost) > most_lost * static_cast<double>(all)) {
@@ -391,7 +383,7 @@ EdgeConstraints constraints_from_nets(const OldNets& old, const prepare::Prepare
   if (lost > 0) {
     notes.push_back(Message("old_edges_lost", {{"n", lost}, {"all", all}, {"file", old.name}}));
   }
-  return constraints;
+  return std::move(constraints);
 }
 
 /// Edges by the numbers of their ends, at their places.

@@ -105,9 +105,7 @@ void settle(const UnfoldProblem& problem, const Context& context, Plan& plan) {
   if (constraints.empty()) {
     return;
   }
-  const double tolerance = net_tolerance(problem.surface.bounds().largest_extent());
-  KeptEdges kept =
-      settle_constraints(problem.surface, plan.whole, constraints, plan.room, tolerance, context);
+  KeptEdges kept = settle_constraints(problem.surface, plan.whole, constraints, plan.room, context);
   plan.possible_constraints = std::move(kept.constraints);
   plan.group = parts_of_whole_panels(problem.surface, kept.groups, plan.group);
 }

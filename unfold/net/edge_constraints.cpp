@@ -123,14 +123,14 @@ class Matcher {
 
 }  // namespace
 
-EdgeConstraints match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
+MatchedSegments match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
                                std::span<const Segment> cut, std::span<const Segment> keep,
-                               SegmentCount& cuts, SegmentCount& keeps, const Context& context) {
+                               const Context& context) {
   const Matcher matcher(surface, panels, context);
-  EdgeConstraints constraints(surface.edge_count(), EdgeConstraint::none);
-  matcher.mark(keep, EdgeConstraint::keep, constraints, keeps);
-  matcher.mark(cut, EdgeConstraint::cut, constraints, cuts);
-  return constraints;
+  MatchedSegments matched{EdgeConstraints(surface.edge_count(), EdgeConstraint::none), {}, {}};
+  matcher.mark(keep, EdgeConstraint::keep, matched.constraints, matched.keep);
+  matcher.mark(cut, EdgeConstraint::cut, matched.constraints, matched.cut);
+  return matched;
 }
 
 }  // namespace ridgecraft::unfold

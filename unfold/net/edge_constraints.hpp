@@ -33,11 +33,16 @@ struct SegmentCount {
   std::size_t lost = 0;   ///< on no edge of the surface
 };
 
+struct MatchedSegments {
+  EdgeConstraints constraints;
+  SegmentCount cut, keep;  ///< what became of those to be cut, and of those to be kept
+};
+
 /// Constraints for the edges on which segments lie: those of which half or more is covered by segments along
 /// them, so that points may have been added to an edge or taken from it since. What is to be cut and kept is
 /// cut. O((n + m) log (n + m)) for n edges and m segments, but for those that cross many.
-[[nodiscard]] EdgeConstraints match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
+[[nodiscard]] MatchedSegments match_segments(const mesh::Surface& surface, const prepare::Panels& panels,
                                              std::span<const Segment> cut, std::span<const Segment> keep,
-                                             SegmentCount& cuts, SegmentCount& keeps, const Context& context);
+                                             const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -19,12 +19,12 @@ namespace {
 class Keeper {
  public:
   Keeper(const mesh::Surface& surface, const prepare::Panels& panels, const EdgeConstraints& constraints,
-         const Room& room, double tolerance, const Context& context)
+         const Room& room, const Context& context)
       : surface_(surface),
         panels_(panels),
         asked_(constraints),
         room_{room.sheet, room.strip, 0},
-        tolerance_(tolerance),
+        tolerance_(net_tolerance(surface.bounds().largest_extent())),
         context_(context) {
     result_.constraints = constraints;
     for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
@@ -164,9 +164,8 @@ class Keeper {
 }  // namespace
 
 KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels& panels,
-                             const EdgeConstraints& constraints, const Room& room, double tolerance,
-                             const Context& context) {
-  return Keeper(surface, panels, constraints, room, tolerance, context).run();
+                             const EdgeConstraints& constraints, const Room& room, const Context& context) {
+  return Keeper(surface, panels, constraints, room, context).run();
 }
 
 namespace {

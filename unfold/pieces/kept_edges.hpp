@@ -25,7 +25,7 @@ struct KeptEdges {
 /// panels and at borders are dropped.
 [[nodiscard]] KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels& panels,
                                            const EdgeConstraints& constraints, const Room& room,
-                                           double tolerance, const Context& context);
+                                           const Context& context);
 
 // Walls that go round stay strips.
 
