@@ -55,7 +55,7 @@ STEPS = {
     # unfold/
     "mirror_all": ("unfold/unfold.cpp", "if (!context_.out_of_time()) {\n      images_", "if (!OUT && !context_.out_of_time()) {\n      images_"),
     "best_pieces": ("unfold/unfold.cpp", "folds_ = best_pieces(problem_, folds_, images_.edge, context_);", "if (!OUT) folds_ = best_pieces(problem_, folds_, images_.edge, context_);"),
-    "first_net": ("unfold/pieces/start_nets.cpp", "NetFound net = first_net(patch, rules, random, context);", "NetFound net = first_net(patch, rules, random, context);\n  if (OUT) net.folds = start_tree(patch, StartTree::short_cuts, random);"),
+    "first_net": ("unfold/pieces/start_nets.cpp", "NetFound net = first_net(patch, rules, random, context);", "NetFound net = first_net(patch, rules, random, context);\n  if (OUT) net.folds = start_tree(patch, random);"),
     "foldable_trees": ("unfold/pieces/foldable_trees.cpp", "  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort", "  if (OUT) {\n    return folds;\n  }\n  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;\n  for (std::vector<std::uint32_t>& faces : pieces) {\n    std::sort"),
     "one_of_each": ("unfold/unfold.cpp", "each_(one_of_each(whole)),", "each_(OUT ? std::nullopt : one_of_each(whole)),"),
     "close_flat_cuts": ("unfold/unfold.cpp", "  close_flat_cuts(", "  if (!OUT) close_flat_cuts("),

@@ -215,7 +215,7 @@ void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs
     Random random(static_cast<std::uint64_t>(seed));
     const double tolerance = unfold::search_tolerance * patch.extent;
     const unfold::NetFound found =
-        unfold::find_net(patch, unfold::start_tree(patch, unfold::StartTree::short_cuts, random),
+        unfold::find_net(patch, unfold::start_tree(patch, random),
                          {tolerance, unfold::patient_trials(patch.size())}, random.next(), context);
     row.seconds.push_back(cpu_seconds() - start);
     row.trials.push_back(static_cast<double>(found.trials));

@@ -2,68 +2,41 @@
 #include "export/sheet/drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace ridgecraft::export_ {
 
+namespace {
+
+struct LayerNames {
+  std::string_view id;
+  std::string_view title;
+};
+
+/// In the order of Layer.
+constexpr std::array layer_names{LayerNames{"paint", "Colours"},
+                                 LayerNames{"tab-fill", "Tabs"},
+                                 LayerNames{"cut", "Cut"},
+                                 LayerNames{"mountain", "Mountain folds"},
+                                 LayerNames{"valley", "Valley folds"},
+                                 LayerNames{"tab-fold", "Tab folds"},
+                                 LayerNames{"label", "Numbers"},
+                                 LayerNames{"piece-name", "Piece names"},
+                                 LayerNames{"mark", "Marks"},
+                                 LayerNames{"tab-shadow", "Tab shadows"},
+                                 LayerNames{"glue", "Glue here"},
+                                 LayerNames{"picture", "Pictures"}};
+static_assert(layer_names.size() == static_cast<std::size_t>(Layer::picture) + 1);
+
+}  // namespace
+
 std::string_view id(Layer layer) {
-  switch (layer) {
-    case Layer::paint:
-      return "paint";
-    case Layer::tab_fill:
-      return "tab-fill";
-    case Layer::cut:
-      return "cut";
-    case Layer::mountain:
-      return "mountain";
-    case Layer::valley:
-      return "valley";
-    case Layer::tab_fold:
-      return "tab-fold";
-    case Layer::label:
-      return "label";
-    case Layer::piece_name:
-      return "piece-name";
-    case Layer::mark:
-      return "mark";
-    case Layer::shadow:
-      return "tab-shadow";
-    case Layer::glue:
-      return "glue";
-    case Layer::picture:
-      return "picture";
-  }
-  return "";
+  return layer_names[static_cast<std::size_t>(layer)].id;
 }
 
 std::string_view title(Layer layer) {
-  switch (layer) {
-    case Layer::paint:
-      return "Colours";
-    case Layer::tab_fill:
-      return "Tabs";
-    case Layer::cut:
-      return "Cut";
-    case Layer::mountain:
-      return "Mountain folds";
-    case Layer::valley:
-      return "Valley folds";
-    case Layer::tab_fold:
-      return "Tab folds";
-    case Layer::label:
-      return "Numbers";
-    case Layer::piece_name:
-      return "Piece names";
-    case Layer::mark:
-      return "Marks";
-    case Layer::shadow:
-      return "Tab shadows";
-    case Layer::glue:
-      return "Glue here";
-    case Layer::picture:
-      return "Pictures";
-  }
-  return "";
+  return layer_names[static_cast<std::size_t>(layer)].title;
 }
 
 bool has_layer(const Group& group, Layer layer) {

@@ -61,7 +61,7 @@ struct CostExample {
     for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
       candidates.push_back(unfold::tab_candidates(targets.largest[side], patch.length[side], {}));
     }
-    const unfold::NetFound net = test::net_of(patch, unfold::StartTree::short_cuts, seed);
+    const unfold::NetFound net = test::net_of(patch, seed);
     REQUIRE(net.overlaps == 0);
     folds = net.folds;
   }
@@ -205,7 +205,7 @@ TEST_CASE("a band that is parted more than once costs the cuts beyond its longes
   REQUIRE(bands.seam_mm.size() == 4);
   Random random(5);
   for (int tree = 0; tree < 5; ++tree) {
-    const Folds folds = unfold::start_tree(example.patch, unfold::StartTree::depth_first, random);
+    const Folds folds = test::random_tree(example.patch, random);
     std::vector<double> cut(bands.seam_mm.size(), 0.0);
     for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
       if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != no_index) {

@@ -46,16 +46,17 @@ std::optional<unfold::Move> draw_swap(unfold::Forest& net, Random& random) {
   return way.empty() ? std::nullopt : std::optional(unfold::Move{pick(way, random), cut});
 }
 
-/// A net found with no thought of folding, from a start of long strips; without folds where there is none.
-std::pair<unfold::Patch, unfold::Folds> depth_first_net(const mesh::Surface& surface, std::uint64_t seed) {
+/// A net found with no thought of folding, from any tree; without folds where there is none.
+std::pair<unfold::Patch, unfold::Folds> net_from_anywhere(const mesh::Surface& surface, std::uint64_t seed) {
   unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
-  unfold::NetFound net = test::net_of(patch, unfold::StartTree::depth_first, seed);
+  Random random(seed);
+  unfold::NetFound net = test::net_of(patch, test::random_tree(patch, random), seed);
   return {std::move(patch), net.overlaps == 0 ? std::move(net.folds) : unfold::Folds{}};
 }
 
 /// Such a net, and the faces of it that meet while it folds.
 struct CountedNet {
-  explicit CountedNet(const mesh::Surface& surface) : CountedNet(depth_first_net(surface, 3)) {}
+  explicit CountedNet(const mesh::Surface& surface) : CountedNet(net_from_anywhere(surface, 3)) {}
 
   unfold::Patch patch;
   unfold::Forest net;
@@ -125,7 +126,7 @@ std::size_t meetings_in_order(const FoldMotion& motion, const std::vector<std::u
 }  // namespace
 
 TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "[unfold][slow]") {
-  // Long strips wound round a ball and round a knot of cubes: many of them run through themselves.
+  // A ball and a knot of cubes: many of their nets run through themselves.
   const std::vector<mesh::Surface> surfaces{
       test::scaled(test::sphere(14, 9), 40.0),
       test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 2), 30.0)};
@@ -135,7 +136,8 @@ TEST_CASE("a tree that gets in its own way is exchanged for one that doesn't", "
     const unfold::Patch patch = test::whole_patch(surface, test::flat_panels(surface));
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {
       const double tolerance = unfold::net_tolerance(patch.extent);
-      const unfold::NetFound net = test::net_of(patch, unfold::StartTree::depth_first, seed);
+      Random random(seed);
+      const unfold::NetFound net = test::net_of(patch, test::random_tree(patch, random), seed);
       if (net.overlaps > 0 || unfold::folds_together(patch, net.folds, {})) {
         continue;
       }
@@ -178,7 +180,7 @@ TEST_CASE("what opens backwards folds forwards", "[unfold]") {
        {test::scaled(test::sphere(8, 5), 40.0), test::scaled(test::cube(), 50.0),
         test::scaled(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1), 30.0)}) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const auto [patch, folds] = depth_first_net(surface, seed);
+      const auto [patch, folds] = net_from_anywhere(surface, seed);
       if (folds.empty()) {
         continue;
       }

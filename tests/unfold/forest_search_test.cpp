@@ -57,7 +57,7 @@ struct Example {
         panels(test::no_panels(surface)),
         patch(test::whole_patch(surface, panels)) {
     Random random(seed);
-    folds = unfold::start_tree(patch, unfold::StartTree::short_cuts, random);
+    folds = unfold::start_tree(patch, random);
     for (std::size_t left = trees - 1; left > 0;) {
       const std::uint32_t side = random.below(static_cast<std::uint32_t>(folds.size()));
       if (folds[side] != 0) {

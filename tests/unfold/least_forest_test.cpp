@@ -139,7 +139,7 @@ TEST_CASE("a proof ends when its work is spent, and no net was found where it sa
   Random random(5);
   for (int i = 0; i < 60; ++i) {
     const Patch patch = sub_patch(whole, grown(whole, 26, random));
-    const bool found = test::net_of(patch, StartTree::short_cuts, 1).overlaps == 0;
+    const bool found = test::net_of(patch, 1).overlaps == 0;
     const LeastForest least = least_forest(patch, {tolerance, 1, 10'000'000}, {});
     INFO("patch " << i);
     REQUIRE(least.finished);

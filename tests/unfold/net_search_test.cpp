@@ -38,7 +38,7 @@ mesh::Surface bumpy_ball(std::uint64_t seed) {
 }
 
 unfold::NetFound search(const mesh::Surface& s, std::uint64_t seed) {
-  return test::net_of(test::whole_patch(s), unfold::StartTree::short_cuts, seed);
+  return test::net_of(test::whole_patch(s), seed);
 }
 
 /// The same shape otherwise put: turned, scaled, renumbered, or mirrored (with its faces turned round).
@@ -110,9 +110,8 @@ TEST_CASE("the search's count is that of a fresh layout after every stretch of m
   const double tolerance = 1e-7 * patch.extent;
   Random random(2);
   unfold::NetWalk walk(patch, {tolerance}, 11);
-  for (const auto kind : {unfold::StartTree::depth_first, unfold::StartTree::breadth_first,
-                          unfold::StartTree::short_cuts, unfold::StartTree::flat_folds}) {
-    walk.set_tree(unfold::start_tree(patch, kind, random));
+  for (int start = 0; start < 4; ++start) {
+    walk.set_tree(test::random_tree(patch, random));
     for (int stretch = 0; stretch < 30 && walk.pairs() > 0; ++stretch) {
       const unfold::Layout layout = unfold::lay_out(patch, walk.folds());
       REQUIRE(layout.faces.size() == 1);
@@ -135,7 +134,7 @@ TEST_CASE("spiky bodies become one net with every seed", "[spiky][slow]") {
 TEST_CASE("a search finds what it counts, and the same for one seed", "[spiky]") {
   const unfold::Patch patch = test::whole_patch(bench::spiky_ball(1, 64, 2.5, 3));
   Random random(1);
-  const unfold::Folds start = unfold::start_tree(patch, unfold::StartTree::short_cuts, random);
+  const unfold::Folds start = unfold::start_tree(patch, random);
   const auto brief = [&] { return unfold::find_net(patch, start, {test::tolerance, 2000}, 7, {}); };
   const unfold::NetFound found = brief();
   CHECK(found.trials <= 2000);

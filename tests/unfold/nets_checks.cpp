@@ -254,11 +254,24 @@ unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& p
   return unfold::make_patch(surface, panels, faces, {}, labels);
 }
 
-unfold::NetFound net_of(const unfold::Patch& patch, unfold::StartTree kind, std::uint64_t seed) {
+unfold::Folds random_tree(const unfold::Patch& patch, Random& random) {
+  unfold::Patch lengths = patch;
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.twin[side] != no_index && side < patch.twin[side]) {
+      lengths.length[side] = lengths.length[patch.twin[side]] = random.unit();
+    }
+  }
+  return unfold::start_tree(lengths, random);
+}
+
+unfold::NetFound net_of(const unfold::Patch& patch, const unfold::Folds& start, std::uint64_t seed) {
+  return unfold::find_net(
+      patch, start, {unfold::net_tolerance(patch.extent), unfold::patient_trials(patch.size())}, seed, {});
+}
+
+unfold::NetFound net_of(const unfold::Patch& patch, std::uint64_t seed) {
   Random random(seed);
-  return unfold::find_net(patch, unfold::start_tree(patch, kind, random),
-                          {unfold::net_tolerance(patch.extent), unfold::patient_trials(patch.size())}, seed,
-                          {});
+  return net_of(patch, unfold::start_tree(patch, random), seed);
 }
 
 std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random) {

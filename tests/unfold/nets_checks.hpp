@@ -37,8 +37,13 @@ inline const std::vector<std::string> none;
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface);
 [[nodiscard]] unfold::Patch whole_patch(const mesh::Surface& surface, const prepare::Panels& panels,
                                         std::span<const std::uint32_t> labels = {});
-/// What find_net finds from a start tree of this kind.
-[[nodiscard]] unfold::NetFound net_of(const unfold::Patch& patch, unfold::StartTree kind, std::uint64_t seed);
+/// Any spanning tree that holds as many frozen sides as a tree can.
+[[nodiscard]] unfold::Folds random_tree(const unfold::Patch& patch, Random& random);
+/// What find_net finds from this tree.
+[[nodiscard]] unfold::NetFound net_of(const unfold::Patch& patch, const unfold::Folds& start,
+                                      std::uint64_t seed);
+/// What it finds from that of the shortest cuts.
+[[nodiscard]] unfold::NetFound net_of(const unfold::Patch& patch, std::uint64_t seed);
 /// `size` faces of a patch that grow from one of them at random, in order.
 [[nodiscard]] std::vector<std::uint32_t> grown(const unfold::Patch& patch, std::size_t size, Random& random);
 /// All faces in part 0.

@@ -86,9 +86,8 @@ TEST_CASE("overlaps are split as the rule says", "[overlap_split]") {
     Patch patch = bumpy_patch(seed, 18, 11);
     Random random(seed);
     const double tolerance = 1e-7 * patch.extent;
-    for (const StartTree kind : {StartTree::depth_first, StartTree::breadth_first, StartTree::short_cuts}) {
-      CAPTURE(seed, static_cast<int>(kind));
-      const Folds tree = start_tree(patch, kind, random);
+    for (const Folds& tree : {test::random_tree(patch, random), start_tree(patch, random)}) {
+      CAPTURE(seed);
       const Folds split = split_overlaps(patch, tree, tolerance);
       CHECK(split == split_by_the_book(patch, tree, tolerance));
       CHECK(find_overlaps(lay_out(patch, split), tolerance).empty());
@@ -99,7 +98,7 @@ TEST_CASE("overlaps are split as the rule says", "[overlap_split]") {
         patch.frozen[side] = patch.frozen[patch.twin[side]] = 1;
       }
     }
-    const Folds tree = start_tree(patch, StartTree::breadth_first, random);
+    const Folds tree = test::random_tree(patch, random);
     CHECK(split_overlaps(patch, tree, tolerance) == split_by_the_book(patch, tree, tolerance));
   }
 }
@@ -108,7 +107,7 @@ TEST_CASE("a forest is split tree by tree", "[overlap_split]") {
   const Patch patch = bumpy_patch(7, 18, 11);
   Random random(7);
   const double tolerance = 1e-7 * patch.extent;
-  Folds forest = start_tree(patch, StartTree::breadth_first, random);
+  Folds forest = test::random_tree(patch, random);
   for (int cut = 0; cut < 5; ++cut) {
     const std::uint32_t side = random.below(3 * patch.size());
     set_fold(patch, forest, side, false);

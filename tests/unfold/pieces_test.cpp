@@ -280,7 +280,7 @@ TEST_CASE("each term of the objective has a name, and costs what it says", "[pie
   const mesh::Surface s = scaled(test::cube(), 10.0);
   const unfold::Patch cube = test::whole_patch(s, test::flat_panels(s));
   Random random(1);
-  const unfold::Folds tree = unfold::start_tree(cube, unfold::StartTree::breadth_first, random);
+  const unfold::Folds tree = test::random_tree(cube, random);
   unfold::Forest forest(cube);
   forest.set_folds(tree);
   std::vector<std::uint32_t> part(cube.size(), 0);

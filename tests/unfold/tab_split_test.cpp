@@ -347,7 +347,7 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
   REQUIRE(panels.count() == 6);
   const unfold::Patch patch = test::whole_patch(s, panels);
   Random random(1);
-  const unfold::Folds folds = unfold::start_tree(patch, unfold::StartTree::breadth_first, random);
+  const unfold::Folds folds = test::random_tree(patch, random);
   const unfold::TabOptions options;
   const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
   const FaceId middle(17);

@@ -2,6 +2,7 @@
 #include "unfold/net/nets.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -9,79 +10,39 @@
 
 namespace ridgecraft::unfold {
 
+namespace {
+
+struct ReasonNames {
+  std::string_view contract;
+  std::string_view message;
+};
+
+/// In the order of PieceReason.
+constexpr std::array reason_names{
+    ReasonNames{"part", "piece_part"},           ReasonNames{"page", "piece_page"},
+    ReasonNames{"overlap", "piece_overlap"},     ReasonNames{"overlap", "piece_no_net"},
+    ReasonNames{"tabs", "piece_tabs"},           ReasonNames{"faces", "piece_faces"},
+    ReasonNames{"time", "piece_time"},           ReasonNames{"request", "piece_request"},
+    ReasonNames{"component", "piece_component"}, ReasonNames{"request", "piece_folding"},
+    ReasonNames{"faces", "piece_shape"}};
+static_assert(reason_names.size() == static_cast<std::size_t>(PieceReason::shape) + 1);
+
+}  // namespace
+
 std::string_view name(PieceReason reason) {
-  switch (reason) {
-    case PieceReason::part:
-      return "part";
-    case PieceReason::page:
-      return "page";
-    case PieceReason::overlap:
-    case PieceReason::no_net:
-      return "overlap";
-    case PieceReason::tabs:
-      return "tabs";
-    case PieceReason::faces:
-    case PieceReason::shape:
-      return "faces";
-    case PieceReason::time:
-      return "time";
-    case PieceReason::request:
-    case PieceReason::folding:
-      return "request";
-    case PieceReason::component:
-      return "component";
-  }
-  return "part";
+  return reason_names[static_cast<std::size_t>(reason)].contract;
 }
 
 std::string_view message_code(PieceReason reason) {
-  switch (reason) {
-    case PieceReason::part:
-      return "piece_part";
-    case PieceReason::page:
-      return "piece_page";
-    case PieceReason::overlap:
-      return "piece_overlap";
-    case PieceReason::no_net:
-      return "piece_no_net";
-    case PieceReason::tabs:
-      return "piece_tabs";
-    case PieceReason::faces:
-      return "piece_faces";
-    case PieceReason::time:
-      return "piece_time";
-    case PieceReason::request:
-      return "piece_request";
-    case PieceReason::component:
-      return "piece_component";
-    case PieceReason::folding:
-      return "piece_folding";
-    case PieceReason::shape:
-      return "piece_shape";
-  }
-  return "piece_part";
+  return reason_names[static_cast<std::size_t>(reason)].message;
 }
 
 std::string_view name(NoTab reason) {
-  switch (reason) {
-    case NoTab::has_tab:
-      return "";
-    case NoTab::edge_too_short:
-      return "edge_too_short";
-    case NoTab::no_room:
-      return "no_room";
-    case NoTab::target_too_small:
-      return "target_too_small";
-    case NoTab::too_little_paper:
-      return "too_little_paper";
-    case NoTab::beyond_sheet:
-      return "beyond_sheet";
-    case NoTab::not_wanted:
-      return "not_wanted";
-    case NoTab::time_up:
-      return "time_up";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 8> names{
+      "",           "edge_too_short", "no_room", "target_too_small", "too_little_paper", "beyond_sheet",
+      "not_wanted", "time_up"};
+  static_assert(names.size() == static_cast<std::size_t>(NoTab::time_up) + 1);
+  return names[static_cast<std::size_t>(reason)];
 }
 
 namespace {

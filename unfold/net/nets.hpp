@@ -28,7 +28,7 @@ enum class EdgeUse : std::uint8_t {
 
 /// Why a piece is a piece of its own. `no_net`: overlap, and that no net exists is proven.
 enum class PieceReason { part, page, overlap, no_net, tabs, faces, time, request, component, folding, shape };
-/// The words of nets-contract `reason`; `folding` is a request there, `no_net` an overlap, `shape` stands
+/// The words of `reason` in a FOLD file; `folding` is a request there, `no_net` an overlap, `shape` stands
 /// among `faces`.
 [[nodiscard]] std::string_view name(PieceReason reason);
 /// Code of the message that states it of `n` pieces.

@@ -2,7 +2,6 @@
 #include "unfold/patch/problem.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/disjoint_sets.hpp"
 #include "base/geometry.hpp"
@@ -58,21 +57,9 @@ bool all_fit(const Patch& patch, const Folds& folds, const Room& room) {
   });
 }
 
-std::size_t least_pieces(const Patch& patch, const Room& room) {
-  std::size_t least = 1;
-  if (room.sheet) {
-    const double sheets = area_of(patch) / (room.sheet->width * room.sheet->height);
-    least = std::max(least, static_cast<std::size_t>(std::ceil(sheets)));
-  }
-  if (room.max_panels > 0) {
-    least = std::max(least, (panel_count(patch) + room.max_panels - 1) / room.max_panels);
-  }
-  return least;
-}
-
 bool lies_as_one(const Patch& patch, std::size_t panels, const Room& room, double tolerance) {
   Random random(1);
-  const Layout layout = lay_out(patch, start_tree(patch, StartTree::short_cuts, random));
+  const Layout layout = lay_out(patch, start_tree(patch, random));
   return layout.faces.size() == 1 && room.holds(hull_of(layout, layout.faces.front()), panels) &&
          find_overlaps(layout, tolerance).empty();
 }

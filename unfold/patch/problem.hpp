@@ -39,9 +39,6 @@ struct Room {
 /// Whether each tree of the forest fits.
 [[nodiscard]] bool all_fit(const Patch& patch, const Folds& folds, const Room& room);
 
-/// Pieces that no arrangement of a connected patch can do without: by its area, and by its flat regions.
-[[nodiscard]] std::size_t least_pieces(const Patch& patch, const Room& room);
-
 /// Whether what its frozen sides hold together makes one net of the patch without overlap (deeper than
 /// `tolerance`, mm) that the room holds. `panels`: as how many flat regions it counts there.
 [[nodiscard]] bool lies_as_one(const Patch& patch, std::size_t panels, const Room& room, double tolerance);

@@ -35,15 +35,9 @@ inline void set_fold(const Patch& patch, Folds& folds, std::uint32_t side, bool 
 
 // Spanning trees to begin with.
 
-enum class StartTree {
-  depth_first,    ///< long strips: cheapest to free of overlaps, worst on pages
-  breadth_first,  ///< round about a random root
-  short_cuts,     ///< the folds are as long as possible altogether, so the cuts are short
-  flat_folds,     ///< flattest folds first: cuts lie on sharp edges
-};
-
-/// A spanning tree of a connected patch that holds as many frozen sides as a tree can. O(n log n).
-[[nodiscard]] Folds start_tree(const Patch& patch, StartTree kind, Random& random);
+/// The spanning tree of a connected patch with the longest folds, so the shortest cuts, that holds as many
+/// frozen sides as a tree can. O(n log n).
+[[nodiscard]] Folds start_tree(const Patch& patch, Random& random);
 
 /// Fisher and Yates; std::shuffle differs between libraries.
 template <class T>

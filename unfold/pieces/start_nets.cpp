@@ -16,7 +16,7 @@ namespace {
 
 NetFound first_net(const Patch& patch, const StartRules& rules, Random& random, const Context& context) {
   const std::uint32_t n = patch.size();
-  const Folds start = start_tree(patch, StartTree::short_cuts, random);
+  const Folds start = start_tree(patch, random);
   return find_net(patch, start, {rules.tolerance, rules.patient ? patient_trials(n) : quick_trials(n)},
                   random.next(), context);
 }
