@@ -360,8 +360,7 @@ class BoxTree {
   std::vector<Node> nodes_;
 };
 
-// Which boxes of a list touch each other.
-
+/// Which boxes of a list touch each other.
 class NearBoxes {
  public:
   /// O(n log n) for n boxes, none empty.

@@ -33,6 +33,7 @@ struct SegmentCount {
   std::size_t lost = 0;   ///< on no edge of the surface
 };
 
+/// Constraints for edges, and how many segments found theirs.
 struct MatchedSegments {
   EdgeConstraints constraints;
   SegmentCount cut, keep;  ///< what became of those to be cut, and of those to be kept
