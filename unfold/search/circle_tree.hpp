@@ -249,11 +249,13 @@ class CircleTree {
   static constexpr std::uint32_t block_size = 8;
 
   void reset(std::uint32_t count) {
+    size_ = count;
     const std::uint32_t blocks = (count + block_size - 1) / block_size;
     leaves_ = std::bit_ceil(std::max(blocks, 2U));
     nodes_.assign(2 * std::size_t{leaves_}, Circle{});
     blocks_.assign(blocks, Block{});
   }
+  [[nodiscard]] std::uint32_t size() const { return size_; }
   [[nodiscard]] std::uint32_t first_leaf() const { return leaves_; }
   [[nodiscard]] const Circle& operator[](std::uint32_t node) const { return nodes_[node]; }
 
@@ -333,6 +335,7 @@ class CircleTree {
                               1e-6 * (std::abs(circle.centre.x) + std::abs(circle.centre.y)));
   }
 
+  std::uint32_t size_ = 0;
   std::uint32_t leaves_ = 2;
   std::vector<Circle> nodes_;
   std::vector<Block> blocks_;

@@ -137,6 +137,10 @@ void Forest::make(const Move& move) {
 void Forest::take_out(const Span& span) {
   std::vector<std::uint32_t>& order = trees_[span.tree].order;
   const auto n = static_cast<std::uint32_t>(order.size());
+  if (span.first > 0 && span.first + span.count <= n) {
+    order.erase(order.begin() + span.first, order.begin() + span.first + span.count);
+    return;
+  }
   const std::uint32_t kept = wrap(span.tree, span.first + span.count);
   std::rotate(order.begin(), order.begin() + kept, order.end());
   order.resize(n - span.count);
@@ -173,20 +177,30 @@ void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
   }
 }
 
-/// Positions, sizes of subtrees and circles of a tree whose order is right.
+/// Positions, sizes of subtrees and circles of a tree whose order is right. Most moves leave most positions
+/// as they are.
 void Forest::number(std::uint32_t tree) {
   const std::vector<std::uint32_t>& order = trees_[tree].order;
   const auto n = static_cast<std::uint32_t>(order.size());
   CircleTree& circles = trees_[tree].circles;
-  circles.reset(n);
+  const bool anew = circles.size() != n;
+  if (anew) {
+    circles.reset(n);
+  }
+  std::uint32_t first = n;
+  std::uint32_t last = 0;
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::uint32_t f = order[i];
-    tree_[f] = tree;
-    at_[f] = i;
     size_[f] = 1;
-    circles.set(i, circle_[f]);
+    if (anew || at_[f] != i || tree_[f] != tree) {
+      tree_[f] = tree;
+      at_[f] = i;
+      circles.set(i, circle_[f]);
+      first = std::min(first, i);
+      last = i + 1;
+    }
   }
-  circles.renew(0, n);
+  circles.renew(std::min(first, last), last);
   for (std::uint32_t i = n; i-- > 1;) {
     size_[parent(order[i])] += size_[order[i]];
   }
