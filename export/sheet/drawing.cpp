@@ -6,7 +6,6 @@
 #include <vector>
 
 namespace ridgecraft::export_ {
-
 namespace {
 
 struct LayerNames {

@@ -136,20 +136,15 @@ constexpr std::array suffixes{
 };
 
 std::string_view words(Way way) {
-  switch (way) {
-    case Way::blender:
-      return "open it in Blender and export it as glTF (.glb) or OBJ";
-    case Way::cad:
-      return "open it in FreeCAD, or in the program that it was made with, and export it as OBJ, STL or 3MF";
-    case Way::sketchup:
-      return "export it from SketchUp as glTF (.glb), OBJ or STL";
-    case Way::pepakura:
-      return "export it from Pepakura Designer as OBJ";
-    case Way::source:
-      return "export it from the program that it was made with as glTF (.glb), OBJ or STL";
-    default:
-      return {};
-  }
+  static constexpr std::array<std::string_view, static_cast<std::size_t>(Way::by_suffix) + 1> of_way{
+      "",
+      "open it in Blender and export it as glTF (.glb) or OBJ",
+      "open it in FreeCAD, or in the program that it was made with, and export it as OBJ, STL or 3MF",
+      "export it from SketchUp as glTF (.glb), OBJ or STL",
+      "export it from Pepakura Designer as OBJ",
+      "export it from the program that it was made with as glTF (.glb), OBJ or STL",
+      ""};
+  return of_way[static_cast<std::size_t>(way)];
 }
 
 /// As far as we look for telling words.

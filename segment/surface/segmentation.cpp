@@ -2,6 +2,7 @@
 #include "segment/surface/segmentation.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/no_index.hpp"
 
@@ -18,17 +19,9 @@ double volume_weight(const Options& options) {
 }
 
 std::string_view name(PartReason reason) {
-  switch (reason) {
-    case PartReason::component:
-      return "component";
-    case PartReason::ridge:
-      return "ridge";
-    case PartReason::split:
-      return "split";
-    case PartReason::merged:
-      return "merged";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 4> names{"component", "ridge", "split", "merged"};
+  static_assert(names.size() == static_cast<std::size_t>(PartReason::merged) + 1);
+  return names[static_cast<std::size_t>(reason)];
 }
 
 double Segmentation::max_concavity() const {

@@ -177,8 +177,7 @@ void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
   }
 }
 
-/// Positions, sizes of subtrees and circles of a tree whose order is right. Most moves leave most positions
-/// as they are.
+/// Positions, sizes of subtrees and circles of a tree whose order is right. Most positions stay as they are.
 void Forest::number(std::uint32_t tree) {
   const std::vector<std::uint32_t>& order = trees_[tree].order;
   const auto n = static_cast<std::uint32_t>(order.size());
