@@ -95,7 +95,7 @@ std::map<CornerId, std::vector<Vec2>> tabs_of(const Project& project, const unfo
 
 /// A cube in two pieces: the whole model but for one face, and that face.
 Project two_pieces() {
-  const Project start = session::open(cube());
+  Project start = session::open(cube());
   for (const Edge& fold : edges_used(start, unfold::EdgeUse::fold)) {
     Project cut = done(start, {Cut{fold}});
     if (std::min(faces_of(cut, PieceId(0)), faces_of(cut, PieceId(1))) == 2) {
