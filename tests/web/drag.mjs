@@ -88,7 +88,7 @@ async function open(options) {
       const box = document.querySelector(`[data-piece="${index}"] .faces`).getBoundingClientRect();
       for (let i = 1; i < 40; ++i) {
         for (let j = 1; j < 40; ++j) {
-          const [x, y] = [box.left + (i * box.width) / 40, box.top + (j * box.height) / 40];
+          const [x, y] = [Math.round(box.left + (i * box.width) / 40), Math.round(box.top + (j * box.height) / 40)];  // as a mouse has them
           const spot = globalThis.ridgecraft.inspect({x, y}).under.sheet;
           if (spot && spot.piece === index && spot.edge < 0) {
             return [x, y];
@@ -179,7 +179,7 @@ async function byMouse() {
 
   // A click offers what can be done.
   await page.keyboard.press("Escape");
-  await page.mouse.click(x, y);
+  await page.mouse.click(...(await inside(largest)));
   const {offer} = await inspect();
   check(offer?.edits.map(({kind}) => kind).join() === "place,place,pack,retry,pin", `a piece is offered ${JSON.stringify(offer)}`);
   const texts = await page.locator("#edit button").allTextContents();
@@ -195,7 +195,7 @@ async function byMouse() {
   await page.click("#edit button:last-child");
   check((await inspect()).offer?.edits[0].kind === "place", "the piece of an edge is offered nothing");
   await page.keyboard.press("Escape");
-  await page.mouse.click(x, y);
+  await page.mouse.click(...(await inside(largest)));
 
   // The handle turns it, one way or the other: where it would lie on another piece, it doesn't.
   const turns = [];
