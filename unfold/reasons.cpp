@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "base/geometry.hpp"
 #include "base/parallel.hpp"
 #include "unfold/patch/layout.hpp"
@@ -37,7 +38,12 @@ class Pieces {
     }
   }
 
-  /// What stops a piece from being one with a neighbour; `component` where it has none.
+  /// Why nothing else of a piece's part hangs together with it.
+  [[nodiscard]] PieceReason reason_apart(const Piece& piece) const {
+    return cut_on_request(piece) ? PieceReason::request : PieceReason::component;
+  }
+
+  /// What stops a piece from being one with a neighbour.
   [[nodiscard]] PieceReason reason_of(const Piece& piece, const Context& context) const {
     std::map<PieceReason, double> along;  // mm of cuts, by what stops a join there
     for (const auto& [neighbour, cuts] : cuts_of(piece)) {
@@ -47,7 +53,7 @@ class Pieces {
       }
     }
     if (along.empty()) {
-      return cut_on_request(piece) ? PieceReason::request : PieceReason::component;
+      return reason_apart(piece);
     }
     for (const PieceReason chosen : {PieceReason::shape, PieceReason::tabs, PieceReason::time}) {
       if (along.contains(chosen)) {
@@ -162,24 +168,38 @@ class Pieces {
   std::vector<std::size_t> panels_;  ///< per piece of the layout
 };
 
-/// Of the pieces of a part that are there because of overlap as many as it is proven to need.
+/// The sets of faces that hang together, in one part if that is asked for.
+DisjointSets connected_faces(const NetProblem& problem, bool within_parts) {
+  DisjointSets sets(problem.patch.size());
+  for (std::uint32_t side = 0; side < problem.patch.twin.size(); ++side) {
+    const std::uint32_t twin = problem.patch.twin[side];
+    if (twin != no_index && (!within_parts || problem.part[side / 3] == problem.part[twin / 3])) {
+      sets.join(side / 3, twin / 3);
+    }
+  }
+  return sets;
+}
+
+/// Of the pieces of a part's connected set that are there because of overlap as many as it is proven to need.
 void find_proofs(const NetProblem& problem, Nets& nets, const Context& context) {
-  std::map<PartId, std::vector<PieceId>> overlapping;
+  const Patch& patch = problem.patch;
+  DisjointSets sets = connected_faces(problem, true);
+  std::map<std::uint32_t, std::vector<PieceId>> overlapping;  // by what hangs together
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     const Piece& piece = nets.pieces[p];
     if (piece.reason == PieceReason::overlap && piece.parts.size() == 1) {
-      overlapping[piece.parts.front()].push_back(p);
+      overlapping[sets.find(piece.faces.front().value())].push_back(p);
     }
   }
-  for (const auto& [part, pieces] : overlapping) {
+  for (const auto& [set, pieces] : overlapping) {
     std::vector<std::uint32_t> faces;
-    for (std::uint32_t f = 0; f < problem.patch.size(); ++f) {
-      if (problem.part[f] == part) {
+    for (std::uint32_t f = 0; f < patch.size(); ++f) {
+      if (sets.find(f) == set) {
         faces.push_back(f);
       }
     }
-    const std::size_t least = least_trees(sub_patch(problem.patch, faces),
-                                          {problem.tolerance(), most_proven_panels, proof_pairs}, context);
+    const std::size_t least =
+        least_trees(sub_patch(patch, faces), {problem.tolerance(), most_proven_panels, proof_pairs}, context);
     for (std::size_t i = 0; i + 1 < least && i < pieces.size(); ++i) {
       nets.pieces[pieces[i]].reason = PieceReason::no_net;
     }
@@ -190,11 +210,18 @@ void find_proofs(const NetProblem& problem, Nets& nets, const Context& context) 
 
 void find_reasons(const NetProblem& problem, const Folds& folds, Nets& nets, const Context& context) {
   const Pieces pieces(problem, folds, nets);
+  DisjointSets bodies = connected_faces(problem, false);
   std::vector<PieceId> others;
-  std::set<PartId> named;
+  std::set<PartId> parts;
+  std::set<std::pair<PartId, std::uint32_t>> parts_of_bodies;
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
-    if (!named.insert(nets.pieces[p].main_part).second) {
+    Piece& piece = nets.pieces[p];
+    const bool first_of_part = parts.insert(piece.main_part).second;
+    const std::uint32_t body = bodies.find(piece.faces.front().value());
+    if (!parts_of_bodies.emplace(piece.main_part, body).second) {
       others.push_back(p);
+    } else if (!first_of_part) {
+      piece.reason = pieces.reason_apart(piece);
     }
   }
   do_in_parallel(others.size(), context, [&](std::size_t i, const Context& own) {

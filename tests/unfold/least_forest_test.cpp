@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include <catch2/catch.hpp>
@@ -105,6 +106,29 @@ TEST_CASE("the bipyramid over a star has no net", "[proof]") {
   CHECK(test::faults_of(star, nets, {}).empty());
   REQUIRE(nets.pieces.size() == 2);
   CHECK(nets.pieces[PieceId(1)].reason == PieceReason::no_net);
+  // Two of them in one part, and what lies apart: each is proven by itself.
+  std::vector<Vec3> points(star.points().begin(), star.points().end());
+  std::vector<std::array<VertexId, 3>> triangles;
+  for (const FaceId f : ids<FaceId>(star.face_count())) {
+    triangles.push_back(star.vertices(f));
+  }
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (const Vec3 p : star.points()) {
+    points.push_back(p + Vec3{500.0, 0.0, 0.0});
+  }
+  for (std::size_t f = 0; f < star.face_count(); ++f) {
+    const auto [a, b, c] = triangles[f];
+    triangles.push_back(
+        {VertexId(a.value() + count), VertexId(b.value() + count), VertexId(c.value() + count)});
+  }
+  const mesh::Surface two(std::move(points), std::move(triangles));
+  std::map<PieceReason, int> reasons;
+  for (const Piece& piece : unfold::unfold(two, test::flat_panels(two), test::one_part(two), {}, {}).pieces) {
+    ++reasons[piece.reason];
+  }
+  CHECK(reasons[PieceReason::part] == 1);
+  CHECK(reasons[PieceReason::component] == 1);
+  CHECK(reasons[PieceReason::no_net] == 2);
   // A higher one has nets.
   const mesh::Surface high = star_bipyramid(100.0);
   const Patch other = test::whole_patch(high, test::no_panels(high));

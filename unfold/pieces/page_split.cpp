@@ -15,6 +15,7 @@ namespace {
 
 /// Roots from which a tree is cut; more gain little.
 constexpr int roots_tried = 12;
+
 using Hull = std::vector<Vec2>;
 
 Hull joined(const Hull& a, const Hull& b) {
