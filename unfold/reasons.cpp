@@ -129,9 +129,9 @@ class Pieces {
     if (options.pieces.fold_linear && !fold_together(cut, context)) {
       return PieceReason::folding;
     }
-    return context.out_of_time()                              ? PieceReason::time
-           : options.tabs.wanted && options.tabs.split_pieces ? PieceReason::tabs
-                                                              : PieceReason::shape;
+    return context.out_of_time()         ? PieceReason::time
+           : options.tabs.on_all_edges() ? PieceReason::tabs
+                                         : PieceReason::shape;
   }
 
   [[nodiscard]] std::vector<Triangle> laid_together(std::uint32_t cut) const {
@@ -168,22 +168,10 @@ class Pieces {
   std::vector<std::size_t> panels_;  ///< per piece of the layout
 };
 
-/// The sets of faces that hang together, in one part if that is asked for.
-DisjointSets connected_faces(const NetProblem& problem, bool within_parts) {
-  DisjointSets sets(problem.patch.size());
-  for (std::uint32_t side = 0; side < problem.patch.twin.size(); ++side) {
-    const std::uint32_t twin = problem.patch.twin[side];
-    if (twin != no_index && (!within_parts || problem.part[side / 3] == problem.part[twin / 3])) {
-      sets.join(side / 3, twin / 3);
-    }
-  }
-  return sets;
-}
-
 /// Of the pieces of a part's connected set that are there because of overlap as many as it is proven to need.
 void find_proofs(const NetProblem& problem, Nets& nets, const Context& context) {
   const Patch& patch = problem.patch;
-  DisjointSets sets = connected_faces(problem, true);
+  DisjointSets sets = connected_faces(patch, problem.part);
   std::map<std::uint32_t, std::vector<PieceId>> overlapping;  // by what hangs together
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
     const Piece& piece = nets.pieces[p];
@@ -210,7 +198,7 @@ void find_proofs(const NetProblem& problem, Nets& nets, const Context& context) 
 
 void find_reasons(const NetProblem& problem, const Folds& folds, Nets& nets, const Context& context) {
   const Pieces pieces(problem, folds, nets);
-  DisjointSets bodies = connected_faces(problem, false);
+  DisjointSets bodies = connected_faces(problem.patch);
   std::vector<PieceId> others;
   std::set<PartId> parts;
   std::set<std::pair<PartId, std::uint32_t>> parts_of_bodies;

@@ -2,25 +2,22 @@
 #include "unfold/requested_splits.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "base/context.hpp"
 #include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "unfold/folding/folding_meetings.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/nets_of_folds.hpp"
 #include "unfold/patch/layout.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/problem.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/closing.hpp"
+#include "unfold/pieces/overlap_split.hpp"
+#include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/tab_split.hpp"
 #include "unfold/search/free_folding.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
@@ -29,51 +26,14 @@
 namespace ridgecraft::unfold {
 namespace {
 
-// Where no tree was found that folds up with all creases together, the piece is split: for sheets that fold
-// themselves.
-
 using Faces = std::vector<std::uint32_t>;
 
-/// The fold between the most of these pairs, or nothing where only folds that have to stay are.
-std::uint32_t best_cut(const Patch& piece, const Folds& tree, const FacePairs& pairs) {
-  Faces place(piece.size(), no_index);
-  const RootedTree rooted = rooted_tree(piece, tree, 0, place);
-  std::vector<std::size_t> between(piece.size(), 0);  // per place: pairs that the fold above parts
-  for (const auto& [f, g] : pairs) {
-    // The later place of the two can't be above the other.
-    for (std::uint32_t a = place[f], b = place[g]; a != b;) {
-      std::uint32_t& later = a > b ? a : b;
-      ++between[later];
-      later = rooted.parent[later];
-    }
-  }
-  std::vector<std::size_t> size(piece.size(), 1);
-  for (std::size_t i = size.size(); i-- > 1;) {
-    size[rooted.parent[i]] += size[i];
-  }
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < size.size(); ++i) {
-    const auto smaller = [&](std::size_t k) { return std::min(size[k], piece.size() - size[k]); };
-    const bool may_go = piece.frozen[rooted.up[i]] == 0 && between[i] > 0;
-    if (may_go &&
-        (best == 0 || std::pair(between[i], smaller(i)) > std::pair(between[best], smaller(best)))) {
-      best = i;
-    }
-  }
-  return best == 0 ? no_index : rooted.up[best];
-}
-
-/// One piece of the forest and what becomes of it.
+/// One piece of the forest and what becomes of it where it must fold with all creases together.
 class Splitting {
  public:
   Splitting(const Patch& piece, Folds folds, const NetProblem& problem, std::uint64_t seed,
             const Context& context)
-      : piece_(piece),
-        folds_(std::move(folds)),
-        room_(problem.room),
-        tolerance_(problem.tolerance()),
-        random_(seed),
-        context_(context) {}
+      : piece_(piece), folds_(std::move(folds)), problem_(problem), random_(seed), context_(context) {}
 
   /// Folds of pieces that fold together, but those that edges to be kept hold.
   Folds run() {
@@ -106,33 +66,28 @@ class Splitting {
     const std::size_t panels = panel_count(part);
     const auto fits = [&](const Folds& folds) {
       const Layout layout = lay_out(part, folds);
-      return room_.holds(hull_of(layout, layout.faces.front()), panels);
+      return problem_.room.holds(hull_of(layout, layout.faces.front()), panels);
     };
     const bool fits_now = fits(tree);
     const auto cut_mm = [&](const Folds& changed) -> std::optional<double> {
       if (fits_now && !fits(changed)) {
         return std::nullopt;
       }
-      double sum = 0.0;
-      for (std::size_t side = 0; side < part.length.size(); ++side) {
-        sum += changed[side] == 0 ? part.length[side] : 0.0;
-      }
-      return sum;
+      return cost_of(part, changed).cut_mm;
     };
-    const FreeFoldingRules rules{tolerance_, cut_mm, std::numeric_limits<double>::infinity()};
+    const FreeFoldingRules rules{problem_.tolerance(), cut_mm, std::numeric_limits<double>::infinity()};
     return fold_freely(part, tree, rules, random_.next(), context_).value_or(tree);
   }
 
   [[nodiscard]] std::uint32_t cut_of(const Patch& part, const Folds& tree) const {
     FoldingMeetings meetings(part);
     meetings.count(tree);
-    return best_cut(part, tree, meetings.pairs());
+    return best_parting_fold(part, tree, meetings.pairs());
   }
 
   const Patch& piece_;
   Folds folds_;
-  const Room& room_;
-  double tolerance_;
+  const NetProblem& problem_;
   Random random_;
   const Context& context_;
 };
@@ -165,10 +120,6 @@ void note_linear_folding(std::size_t split_pieces, Nets& nets) {
   if (others > 0) {
     nets.notes.push_back(Message("dont_fold_together", {{"n", others}}));
   }
-}
-
-bool wants_all_tabs(const Options& options) {
-  return options.tabs.wanted && options.tabs.split_pieces;
 }
 
 Folds give_all_tabs(const UnfoldProblem& problem, const NetProblem& nets, const EdgeConstraints& constraints,

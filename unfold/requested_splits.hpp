@@ -24,9 +24,6 @@ namespace ridgecraft::unfold {
 /// don't fold so all the same.
 void note_linear_folding(std::size_t split_pieces, Nets& nets);
 
-/// Whether tabs are wanted on all edges, even at the price of more pieces.
-[[nodiscard]] bool wants_all_tabs(const Options& options);
-
 /// Splits pieces of these folds as pieces/tab_split.hpp does, until every edge that is wide enough has a
 /// usable tab; where the time is up already, gives them back as they are. `constraints`:
 /// Plan::possible_constraints. Throws Error(interrupted).

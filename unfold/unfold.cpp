@@ -136,7 +136,7 @@ class Unfolding {
 
   void split_for_requests() {
     in_time_for_nets_ = !context_.out_of_time();
-    if (wants_all_tabs(asked_.options)) {
+    if (asked_.options.tabs.on_all_edges()) {
       folds_ = give_all_tabs(asked_, problem_, plan_.possible_constraints, folds_, context_);
       in_time_for_tabs_ = !context_.out_of_time();
     }
@@ -174,7 +174,7 @@ class Unfolding {
     if (whole_.options.pieces.fold_linear) {
       note_linear_folding(count_pieces(nets, PieceReason::folding), nets);
     }
-    if (wants_all_tabs(whole_.options)) {
+    if (whole_.options.tabs.on_all_edges()) {
       note_all_tabs(whole_, {count_pieces(nets, PieceReason::tabs), in_time_for_tabs_}, nets);
     }
   }

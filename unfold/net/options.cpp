@@ -56,7 +56,7 @@ PieceRules rules_of_single_parts() {
 
 Options with_prices(const Options& options) {
   Options priced = options;
-  if (options.tabs.wanted && options.tabs.split_pieces) {
+  if (options.tabs.on_all_edges()) {
     // 16 mm without a tab weigh as much as a piece: cuts for the rest then part fewer.
     constexpr double bare_with_all_tabs = 20.0;
     double& bare = priced.pieces.weights.bare;

@@ -182,6 +182,8 @@ struct TabOptions {
   bool at_open_bases = true;
   /// May pieces be split until every edge that is wide enough has a usable tab (pieces/tab_split.hpp)?
   bool split_pieces = false;
+
+  [[nodiscard]] bool on_all_edges() const { return wanted && split_pieces; }
 };
 
 /// What may be cut where a part has no single net with all its flat regions (panels) whole.

@@ -91,6 +91,17 @@ Patch make_patch(const mesh::Surface& surface, const prepare::Panels& panels, st
   return patch;
 }
 
+DisjointSets connected_faces(const Patch& patch, std::span<const PartId> part) {
+  DisjointSets sets(patch.size());
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    const std::uint32_t twin = patch.twin[side];
+    if (twin != no_index && (part.empty() || part[side / 3] == part[twin / 3])) {
+      sets.join(side / 3, twin / 3);
+    }
+  }
+  return sets;
+}
+
 double area_of(const Patch& patch, std::span<const std::uint32_t> faces) {
   double area = 0.0;
   for (const std::uint32_t f : faces) {

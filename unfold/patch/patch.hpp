@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "base/geometry.hpp"
 #include "base/no_index.hpp"
 #include "base/vector.hpp"
@@ -182,6 +183,9 @@ using Folds = std::vector<std::uint8_t>;
 
 /// Pairs of faces.
 using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// The sets of faces that hang together, of one part each where the part of each face is given. O(n).
+[[nodiscard]] DisjointSets connected_faces(const Patch& patch, std::span<const PartId> part = {});
 
 /// Paper that these faces take, mm2.
 [[nodiscard]] double area_of(const Patch& patch, std::span<const std::uint32_t> faces);

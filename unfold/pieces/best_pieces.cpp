@@ -21,12 +21,7 @@ using Faces = std::vector<std::uint32_t>;
 /// image there.
 std::vector<Faces> bodies_of(const NetProblem& problem, const IdVector<EdgeId, EdgeId>& mirrored) {
   const Patch& patch = problem.patch;
-  DisjointSets sets(patch.size());
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (patch.twin[side] != no_index) {
-      static_cast<void>(sets.join(side / 3, patch.twin[side] / 3));
-    }
-  }
+  DisjointSets sets = connected_faces(patch);
   if (!mirrored.empty()) {
     IdVector<EdgeId, std::uint32_t> face_at(problem.surface.edge_count(), no_index);
     const auto edge_of = [&](std::uint32_t side) {

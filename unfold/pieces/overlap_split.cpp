@@ -76,13 +76,17 @@ class TreeCutter {
   TreeCutter(const Patch& patch, const Tree& tree, Folds& result)
       : patch_(patch), tree_(tree), result_(result), hits_(tree.size(), 0), inside_(tree.size(), 0) {}
 
+  /// The fold that goes first.
+  [[nodiscard]] std::uint32_t first_cut(std::vector<Conflict> conflicts) {
+    const OpenPart all = whole(std::move(conflicts));
+    count_hits(all);
+    const std::uint32_t best = best_cut(all);
+    return hits_[best] > 0 && patch_.frozen[tree_.up(best)] == 0 ? tree_.up(best) : no_index;
+  }
+
   void run(std::vector<Conflict> conflicts) {
-    OpenPart whole;
-    whole.places.resize(tree_.size());
-    std::iota(whole.places.begin(), whole.places.end(), 0U);
-    whole.conflicts = std::move(conflicts);
     std::vector<OpenPart> open;
-    open.push_back(std::move(whole));
+    open.push_back(whole(std::move(conflicts)));
     while (!open.empty()) {
       OpenPart branch = std::move(open.back());
       open.pop_back();
@@ -97,6 +101,12 @@ class TreeCutter {
   }
 
  private:
+  [[nodiscard]] OpenPart whole(std::vector<Conflict> conflicts) const {
+    OpenPart all{std::vector<std::uint32_t>(tree_.size()), std::move(conflicts)};
+    std::iota(all.places.begin(), all.places.end(), 0U);
+    return all;
+  }
+
   /// How many conflicts' paths run over the fold at each place. O(size of the branch).
   void count_hits(const OpenPart& branch) {
     for (const std::uint32_t i : branch.places) {
@@ -155,31 +165,40 @@ class TreeCutter {
   std::vector<std::uint8_t> inside_;
 };
 
+/// `place`: of each face in the tree.
+std::vector<Conflict> conflicts_of(const Tree& tree, const std::vector<std::uint32_t>& place,
+                                   const FacePairs& pairs) {
+  std::vector<Conflict> conflicts;
+  for (const auto& [f, g] : pairs) {
+    conflicts.push_back({place[f], place[g], tree.meet(place[f], place[g])});
+  }
+  return conflicts;
+}
+
 }  // namespace
 
 Folds split_overlaps(const Patch& patch, const Folds& folds, double tolerance) {
   Folds result = folds;
   const Layout layout = lay_out(patch, folds);
-  std::vector<std::vector<OverlapFound>> pairs(layout.faces.size());
+  std::vector<FacePairs> pairs(layout.faces.size());
   for (const OverlapFound& pair : find_overlaps(layout, tolerance)) {
-    pairs[layout.piece[pair.first]].push_back(pair);
+    pairs[layout.piece[pair.first]].emplace_back(pair.first, pair.second);
   }
   std::vector<std::uint32_t> place(patch.size(), no_index);
   for (std::size_t piece = 0; piece < pairs.size(); ++piece) {
-    if (pairs[piece].empty()) {
-      continue;
+    if (!pairs[piece].empty()) {
+      const Tree tree(patch, folds, layout.faces[piece].front(), place);
+      TreeCutter(patch, tree, result).run(conflicts_of(tree, place, pairs[piece]));
     }
-    const Tree tree(patch, folds, layout.faces[piece].front(), place);
-    std::vector<Conflict> conflicts;
-    conflicts.reserve(pairs[piece].size());
-    for (const OverlapFound& pair : pairs[piece]) {
-      const std::uint32_t a = place[pair.first];
-      const std::uint32_t b = place[pair.second];
-      conflicts.push_back({a, b, tree.meet(a, b)});
-    }
-    TreeCutter(patch, tree, result).run(std::move(conflicts));
   }
   return result;
+}
+
+std::uint32_t best_parting_fold(const Patch& patch, const Folds& tree, const FacePairs& pairs) {
+  std::vector<std::uint32_t> place(patch.size(), no_index);
+  const Tree rooted(patch, tree, 0, place);
+  Folds unchanged;
+  return TreeCutter(patch, rooted, unchanged).first_cut(conflicts_of(rooted, place, pairs));
 }
 
 }  // namespace ridgecraft::unfold
