@@ -17,7 +17,6 @@ double ridgecraft_elementary_asin(double x);
 double ridgecraft_elementary_acos(double x);
 double ridgecraft_elementary_atan2(double y, double x);
 double ridgecraft_elementary_pow(double base, double exponent);
-double ridgecraft_elementary_exp(double x);
 double ridgecraft_elementary_exp2(double x);
 double ridgecraft_elementary_log(double x);
 double ridgecraft_elementary_log2(double x);
@@ -47,9 +46,6 @@ inline double atan2(double y, double x) {
 }
 inline double pow(double base, double exponent) {
   return ridgecraft_elementary_pow(base, exponent);
-}
-inline double exp(double x) {
-  return ridgecraft_elementary_exp(x);
 }
 inline double exp2(double x) {
   return ridgecraft_elementary_exp2(x);

@@ -23,6 +23,18 @@ Rows general_messages() {
   };
 }
 
+Rows instead_messages() {
+  return {
+      {"instead", "this result {what}, since the first one failed its check ({fault})",
+       "dieses Ergebnis {what}, da das erste seine Prüfung nicht bestand ({fault})"},
+      {"instead_seed", "is that of another --seed", "ist das eines anderen --seed"},
+      {"instead_bodies", "keeps the bodies of the file, as --keep-bodies does",
+       "behält die Körper der Datei wie mit --keep-bodies"},
+      {"instead_regions", "has a piece for each flat region", "hat ein Teil für jede ebene Fläche"},
+      {"instead_tabs", "has no tabs", "hat keine Laschen"},
+  };
+}
+
 Rows option_messages() {
   return {
       {"option_length", "{option} takes a length such as 150mm, 15cm or 6in, not '{text}'",
@@ -259,6 +271,12 @@ Rows note_messages() {
        "die Datei markiert Kanten zum Schneiden, darum wird das Modell nicht vereinfacht"},
       {"points_outside", "{n} of {all} {all|point|points} lie outside {file}, where they follow it less well",
        "{n} von {all} {all|Punkt|Punkten} liegen außerhalb von {file} und folgen ihm weniger gut"},
+      {"hulls_uncovered", "{percent} % of the model's volume is in no hull: what is left is too thin to be filled",
+       "{percent} % des Volumens liegen in keiner Hülle: Was übrig ist, ist zu dünn zum Füllen"},
+      {"hulls_of_open", "no component of the model is closed, so hulls cover its surface alone",
+       "kein Teil des Modells ist geschlossen, darum decken die Hüllen nur seine Oberfläche"},
+      {"hulls_close_openings", "{n} {n|hull closes|hulls close} openings or hollows of the model: --pockets keeps them open, narrow ones with --concavity 0.01",
+       "{n} {n|Hülle schließt|Hüllen schließen} Öffnungen oder Hohlräume des Modells: --pockets hält sie offen, schmale mit --concavity 0.01"},
       {"no_time_for_parts", "--time-limit was too short to find parts: each component is one part",
        "die Zeit war zu kurz, um Körperteile zu finden: Jede Komponente ist einer"},
       {"too_thick_for_edges", "the sheet is too thick for {n} {n|edge|edges}, where a face would have lost a third of its height",
@@ -337,6 +355,10 @@ Rows repair_messages() {
        "{n} {n|Fläche hat|Flächen haben} fehlende oder unbrauchbare Texturkoordinaten und {n|bekommt|bekommen} kein Bild"},
       {"repair_element_ignored", "{n} {n|element that is no face was|elements that are no faces were} ignored",
        "{n} {n|Element, das keine Fläche ist, wurde|Elemente, die keine Flächen sind, wurden} übergangen"},
+      {"repair_object_left_out", "{n} {n|part that the file marks as no part of the model is|parts that the file marks as no parts of the model are} left out",
+       "{n} {n|Teil, das laut Datei nicht zum Modell gehört, ist|Teile, die laut Datei nicht zum Modell gehören, sind} weggelassen"},
+      {"repair_feature_ignored", "{n|something in the file isn't used|# things in the file aren't used}",
+       "{n|etwas in der Datei wird nicht benutzt|# Dinge in der Datei werden nicht benutzt}"},
       {"repair_motion_ignored", "{n|the model moves in its file; it was|# models move in their files; they were} taken at rest",
        "{n|das Modell bewegt sich in seiner Datei; es wurde|# Modelle bewegen sich in ihren Dateien; sie wurden} in Ruhe genommen"},
       {"repair_points_joined", "{n|1 point was joined with another at the same place|# points at equal places were joined}",
@@ -392,8 +414,8 @@ const std::vector<MessageRow>& message_table() {
   static const std::vector<MessageRow> table = [] {
     std::vector<MessageRow> all;
     for (const auto messages :
-         {general_messages, option_messages, paper_messages, size_messages, no_tab_messages, piece_messages,
-          note_messages, edit_messages, repair_messages}) {
+         {general_messages, instead_messages, option_messages, paper_messages, size_messages, no_tab_messages,
+          piece_messages, note_messages, edit_messages, repair_messages}) {
       const Rows rows = messages();
       all.insert(all.end(), rows.begin(), rows.end());
     }

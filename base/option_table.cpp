@@ -34,8 +34,8 @@ std::vector<OptionGroup> option_groups() {
     {"Output", {
       {.name = "output", .letter = "o", .kind = Kind::list, .takes = "WHERE",
        .help = "A folder gets all default formats (PDF, SVG, FOLD, HTML); a file's suffix names its format "
-       "(.pdf, .svg, .fold, .html, .png, .dxf, .lbrn2, .eps, .plt). May be given several times (the current "
-       "folder)."},
+       "(.pdf, .svg, .fold, .html, .ridgecraft, .png, .dxf, .lbrn2, .eps, .plt). May be given several times "
+       "(the current folder)."},
       {.name = "no-guide", .kind = Kind::flag,
        .help = "Write no NAME-guide.pdf next to NAME.pdf: pictures of where each piece goes, step by step."},
       {.name = "no-page", .kind = Kind::flag,
@@ -88,6 +88,11 @@ std::vector<OptionGroup> option_groups() {
        .setting = "faces", .noted = Noted::always, .keyword = "simplify",
        .studio = {"size", {"Faces", "Flächen"}, {},
            {"auto, keep, or a number", "auto, keep oder eine Zahl"}, false}},
+      {.name = "hours", .kind = Kind::number, .usual = "4", .low = 0.25, .high = 1000.0,
+       .help = "How long building it may take: with --faces auto a model that takes longer, or has too many short "
+       "edges, is simplified; by default one with long edges is left as it is up to 10 hours (4).",
+       .setting = "hours", .noted = Noted::if_changed, .keyword = "hours",
+       .studio = {"size", {"Hours of work", "Stunden Arbeit"}, {}, {}, false}},
       {.name = "strict", .kind = Kind::flag,
        .help = "Write nothing, with exit code 9, where the model can't be folded by hand at this size.",
        .keyword = "strict"},
@@ -327,14 +332,14 @@ std::vector<OptionGroup> option_groups() {
        "seam=1: a mm of seam to glue;\n"
        "bare=2.5: a mm of seam without room for a tab;\n"
        "slits=2: a mm of seam that hardly opens;\n"
-       "mirror=1.5: a mm of seam whose mirror image is none;\n"
+       "mirror=1.5: a mm of seam whose image, mirrored or turned, is none;\n"
        "bands=1: a mm of seam across a strip that goes round, beyond its first seam;\n"
        "open=0.1: a mm of seam on smooth places;\n"
        "borders=0.7: a mm of fold where colours, materials or objects of the model meet;\n"
        "compact=4.5: a cm2 inside a piece's hull that is no paper;\n"
        "outline=0.5: the square of a piece's outline, over 1000 mm;\n"
        "thin=0.5: a mm by which what hangs on a neck is wider than three times the neck;\n"
-       "pieces=320: a piece;\n"
+       "pieces=360: a piece;\n"
        "parts=50: a further part in a piece;\n"
        "small=1200: a piece under 30 mm;\n"
        "panels=800: the square of a piece's flat faces, over 80.",

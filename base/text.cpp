@@ -56,8 +56,19 @@ void append_utf8(std::string& out, char32_t code) {
 
 namespace {
 
+/// Code points that Unicode keeps for itself: no file format takes them all.
+bool is_noncharacter(char32_t code) {
+  return (code & 0xFFFEU) == 0xFFFEU || (code >= 0xFDD0 && code <= 0xFDEF);
+}
+
+/// Marks that turn the direction of what follows: a line with one could seem to say something else.
+bool is_direction_mark(char32_t code) {
+  return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
 bool forbidden(char32_t code) {
-  return is_control(code) || (code & 0xFFFEU) == 0xFFFEU;
+  return is_control(code) || is_noncharacter(code);
 }
 
 char lower(char c) {
@@ -119,7 +130,7 @@ std::string printable(std::string_view text) {
   result.reserve(text.size());
   while (!text.empty()) {
     const auto [code, length] = first_character(text);
-    append_utf8(result, is_control(code) ? replacement_character : code);
+    append_utf8(result, forbidden(code) || is_direction_mark(code) ? replacement_character : code);
     text.remove_prefix(length);
   }
   return result;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments the models of an unpacked Princeton Segmentation Benchmark and prints a table per category; with
-// several tolerances, what each gives and what the best for each category and each model would give.
+// Segments the models of an unpacked Princeton Segmentation Benchmark and prints a table per category.
 #include "segment/segment.hpp"
 
 #include <algorithm>
@@ -17,7 +16,6 @@
 #include <map>
 #include <set>
 #include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -260,27 +258,12 @@ namespace fs = std::filesystem;
 struct Arguments {
   fs::path psb;
   fs::path json;
-  fs::path labels;  ///< folder for NUMBER.seg: part of each face, as the benchmark writes people's
   segment::Options options;
-  std::vector<double> sweep;  ///< tolerances
   bool subset = false;
   unsigned threads = 1;     ///< several: seconds are those of the clock, not of the processor
   bool only_speed = false;  ///< no comparison with people and hulls: parts, seconds and a sum of the labels
-  double damage = 0.0;      ///< share of the faces to remove at random
   std::vector<int> models;
 };
-
-/// The surface with each face removed at a probability: the paper's figure 15.
-mesh::Surface damaged(const mesh::Surface& whole, double fraction) {
-  Random random(1);
-  std::vector<std::array<VertexId, 3>> corners;
-  for (const FaceId f : ids<FaceId>(whole.face_count())) {
-    if (random.unit() >= fraction) {
-      corners.push_back(whole.vertices(f));
-    }
-  }
-  return {{whole.points().begin(), whole.points().end()}, std::move(corners)};
-}
 
 /// Equal for equal results: shows whether a faster program still does the same.
 struct Sum {
@@ -288,41 +271,12 @@ struct Sum {
   void add(std::uint32_t label) { value = Random(value ^ label).next(); }
 };
 
-Figures run_damaged(const bench::BenchmarkModel& model, double fraction, const segment::Options& options) {
-  const mesh::Surface surface = damaged(model.read.surface, fraction);
-  const double start = bench::cpu_seconds();
-  const segment::Segmentation result = segment::segment(surface, {}, options, Context{});
-  Figures row;
-  row.model = model.number;
-  row.category = bench::category_of(model.number);
-  row.faces = surface.face_count();
-  row.parts = static_cast<double>(result.parts.size());
-  row.seconds = bench::cpu_seconds() - start;
-  row.worst = result.max_concavity();
-  return row;
-}
-
-void write_labels(const fs::path& file, const segment::Segmentation& result) {
-  std::ofstream out(file);
-  for (const PartId p : result.part) {
-    out << p.value() << '\n';
-  }
-  out.close();
-  if (!out) {
-    throw Error(ErrorKind::cant_write, "can't write " + file.string());
-  }
-}
-
-Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options,
-                  const fs::path& labels_folder, bool checks_hulls) {
+Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& options) {
   const Context context;
   const double start = bench::cpu_seconds();
   const segment::Segmentation result =
       segment::segment(model.read.surface, model.read.polygon.items(), options, context);
   const double seconds = bench::cpu_seconds() - start;
-  if (!labels_folder.empty()) {
-    write_labels(labels_folder / (std::to_string(model.number) + ".seg"), result);
-  }
   std::vector<std::uint32_t> labels;
   for (const PartId p : result.part) {
     labels.push_back(p.value());
@@ -331,9 +285,7 @@ Figures run_whole(const bench::BenchmarkModel& model, const segment::Options& op
   row.seconds = model.seconds + seconds;
   row.reading = model.seconds;
   row.worst = result.max_concavity();
-  if (checks_hulls) {
-    row.outside = bench::outside_hulls(model.read.surface, result);
-  }
+  row.outside = bench::outside_hulls(model.read.surface, result);
   return row;
 }
 
@@ -393,43 +345,6 @@ void print_table(const std::vector<Figures>& rows) {
   std::printf("vertices outside a hull of theirs: %zu\n", bench::mean_of(rows).outside);
 }
 
-/// `runs`: for each tolerance all models in the same order. The best tolerance of a category or a model is
-/// the one that people agree with most: fitted to the very figures that are printed.
-void print_sweep(const std::vector<double>& tolerances, const std::vector<std::vector<Figures>>& runs) {
-  std::printf("tolerance    parts  volume  seconds  reading   1-Rand    worst\n");
-  std::vector<Figures> best_of_model = runs[0];
-  std::map<int, std::size_t> best_of_category;
-  std::vector<Categories> categories;
-  for (std::size_t t = 0; t < runs.size(); ++t) {
-    std::ostringstream name;
-    name << tolerances[t];
-    print_row(name.str(), bench::mean_of(runs[t]));
-    categories.push_back(by_category(runs[t]));
-    for (std::size_t i = 0; i < runs[t].size(); ++i) {
-      if (runs[t][i].rand < best_of_model[i].rand) {
-        best_of_model[i] = runs[t][i];
-      }
-    }
-    for (const auto& [category, rows] : categories[t]) {
-      std::size_t& best = best_of_category.try_emplace(category, t).first->second;
-      if (bench::mean_of(rows).rand < bench::mean_of(categories[best].at(category)).rand) {
-        best = t;
-      }
-    }
-  }
-  std::vector<Figures> of_category;
-  std::printf("\nbest tolerance of each category (fitted)\n");
-  for (const auto& [category, t] : best_of_category) {
-    const std::vector<Figures>& rows = categories[t].at(category);
-    of_category.insert(of_category.end(), rows.begin(), rows.end());
-    std::printf("%-9g ", tolerances[t]);
-    print_row(rows.front().category, bench::mean_of(rows));
-  }
-  print_row("mean", bench::mean_of(of_category));
-  std::printf("\nbest tolerance of each model (fitted)\n");
-  print_row("mean", bench::mean_of(best_of_model));
-}
-
 bool parse_switch(const std::string& option, Arguments& arguments) {
   if (option == "--subset") {
     arguments.subset = true;
@@ -450,17 +365,8 @@ bool parse_value(const std::string& option, const std::string& value, Arguments&
     arguments.psb = value;
   } else if (option == "--json") {
     arguments.json = value;
-  } else if (option == "--labels") {
-    arguments.labels = value;
   } else if (option == "--concavity") {
     arguments.options.concavity = std::stod(value);
-  } else if (option == "--sweep") {
-    std::istringstream list(value);
-    for (std::string one; std::getline(list, one, ',');) {
-      arguments.sweep.push_back(std::stod(one));
-    }
-  } else if (option == "--damage") {
-    arguments.damage = std::stod(value);
   } else if (option == "--effort") {
     arguments.options.effort = std::stoi(value);
   } else if (option == "--reading") {
@@ -490,27 +396,7 @@ bool parse(int argc, char** argv, Arguments& arguments) {
     }
     ++i;
   }
-  if (arguments.sweep.empty()) {
-    arguments.sweep.push_back(arguments.options.concavity);
-  }
   return !arguments.psb.empty();
-}
-
-/// What is wrong with arguments that go with each other badly, or can't be served; nothing when all is well.
-std::string fault_of(const Arguments& arguments) {
-  if (!fs::is_directory(arguments.psb)) {
-    return "there is no folder " + arguments.psb.string();
-  }
-  if (arguments.labels.empty()) {
-    return {};
-  }
-  if (arguments.only_speed || arguments.damage > 0.0 || arguments.sweep.size() > 1) {
-    return "--labels goes with neither --only-speed nor --damage nor --sweep: one file of labels a model";
-  }
-  if (!fs::is_directory(arguments.labels)) {
-    return "there is no folder " + arguments.labels.string() + " to write labels into";
-  }
-  return {};
 }
 
 int run(const Arguments& arguments) {
@@ -520,7 +406,7 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty() && !json) {
     throw Error(ErrorKind::cant_write, "can't write " + arguments.json.string());
   }
-  std::vector<std::vector<Figures>> runs(arguments.sweep.size());
+  std::vector<Figures> rows;
   Sum labels;
   for (const int m : models) {
     bench::BenchmarkModel model = bench::read_model(arguments.psb, m, Context{});
@@ -529,25 +415,15 @@ int run(const Arguments& arguments) {
         model.seconds = std::min(model.seconds, bench::read_model(arguments.psb, m, Context{}).seconds);
       }
     }
-    for (std::size_t t = 0; t < runs.size(); ++t) {
-      segment::Options options = arguments.options;
-      options.concavity = arguments.sweep[t];
-      runs[t].push_back(arguments.damage > 0.0 ? run_damaged(model, arguments.damage, options)
-                        : arguments.only_speed
-                            ? run_speed(model, options, arguments.threads, labels)
-                            : run_whole(model, options, arguments.labels, runs.size() == 1));
-      runs[t].back().tolerance = options.concavity;
-      json << bench::json_line(runs[t].back()) << '\n' << std::flush;  // a long run can be watched
-      if (!arguments.models.empty()) {
-        print_row(std::to_string(m), runs[t].back());
-      }
+    rows.push_back(arguments.only_speed ? run_speed(model, arguments.options, arguments.threads, labels)
+                                        : run_whole(model, arguments.options));
+    rows.back().tolerance = arguments.options.concavity;
+    json << bench::json_line(rows.back()) << '\n' << std::flush;  // a long run can be watched
+    if (!arguments.models.empty()) {
+      print_row(std::to_string(m), rows.back());
     }
   }
-  if (runs.size() > 1) {
-    print_sweep(arguments.sweep, runs);
-  } else {
-    print_table(runs[0]);
-  }
+  print_table(rows);
   if (arguments.only_speed) {
     std::printf("sum of labels %016llx\n", static_cast<unsigned long long>(labels.value));
   }
@@ -565,14 +441,9 @@ int main(int argc, char** argv) {
   if (!parse(argc, argv, arguments)) {
     std::fprintf(
         stderr,
-        "usage: bench_segment --psb DIR [--json FILE] [--labels DIR] [--subset] [--model N]... [--concavity "
-        "T | "
-        "--sweep T,T,...] [--effort 1..3] [--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] "
-        "[--damage SHARE] [--only-speed [--threads N]]\n");
-    return 2;
-  }
-  if (const std::string fault = fault_of(arguments); !fault.empty()) {
-    std::fprintf(stderr, "bench_segment: %s\n", fault.c_str());
+        "usage: bench_segment --psb DIR [--json FILE] [--subset] [--model N]... [--concavity T] [--effort "
+        "1..3] "
+        "[--reading literal|a|b] [--volume-weight W] [--planes] [--pockets] [--only-speed [--threads N]]\n");
     return 2;
   }
   try {

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How surely and how fast models become one net:
 //
-//   bench_unfold [--seeds N] [--json FILE] [--check] [--spiky] [--psb FOLDER] [--parts FOLDER]
-//   [--limit SECONDS] MODEL...
+//   bench_unfold [--seeds N] [--json FILE] [--check] [--spiky] [--psb FOLDER] MODEL...
 //
 // Each MODEL is unfolded as it is, panels loose; --spiky adds the family of bench/spiky_bodies.hpp. --psb
 // names the folder of the Princeton benchmark's meshes (1.off, 3.off, ...): the 3rd, 9th and 15th of each
-// category are simplified to 200, 500, 1000, 2000 and 5000 faces and unfolded. --parts names it too: the 3rd
-// of each category is segmented as it is, and its parts with 2000 to 7000 faces are unfolded within --limit
-// seconds (10). One thread; seconds are CPU time of one net from a surface, its final check included; the
-// wall clock is looked at for the limit alone. --check tests every solved net again: all pairs of faces by
-// exact rational arithmetic, lengths, and coverage.
+// category are simplified to 200, 500, 1000, 2000 and 5000 faces and unfolded. One thread; seconds are CPU
+// time of one net from a surface, its final check included. --check tests every solved net again: all pairs
+// of faces by exact rational arithmetic, lengths, and coverage.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +17,6 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -32,7 +28,6 @@
 #include "mesh/mesh.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepare.hpp"
-#include "segment/segment.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
@@ -46,7 +41,6 @@ namespace {
 struct Runs {
   int seeds = 3;
   bool check = false;
-  double limit = 0.0;  ///< seconds by the wall clock; 0: none
 };
 
 /// All runs of one row of the table.
@@ -190,33 +184,22 @@ double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-std::vector<FaceId> all_faces(const mesh::Surface& surface) {
+/// Searches a net with seeds 1 .. runs.seeds, panels loose, as long as the program does, and
+/// adds the runs to the row.
+void run(const mesh::Surface& surface, const Runs& runs, Row& row) {
+  prepare::Panels panels;
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    panels.panel.push_back(PanelId(f.value()));
     faces.push_back(f);
   }
-  return faces;
-}
-
-/// Searches a net of these faces with seeds 1 .. runs.seeds, panels loose, as long as the program does, and
-/// adds the runs to the row.
-void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs& runs, Row& row) {
-  prepare::Panels panels;
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    panels.panel.push_back(PanelId(f.value()));
-  }
   for (int seed = 1; seed <= runs.seeds; ++seed) {
-    Context context;
-    if (runs.limit > 0.0) {
-      context.deadline = Deadline::in(runs.limit);
-    }
     const double start = cpu_seconds();
     const unfold::Patch patch = unfold::make_patch(surface, panels, faces);
     Random random(static_cast<std::uint64_t>(seed));
     const double tolerance = unfold::search_tolerance * patch.extent;
     const unfold::NetFound found =
-        unfold::find_net(patch, unfold::start_tree(patch, random),
-                         {tolerance, unfold::patient_trials(patch.size())}, random.next(), context);
+        unfold::find_net(patch, unfold::start_tree(patch, random), tolerance, random.next(), Context());
     row.seconds.push_back(cpu_seconds() - start);
     row.trials.push_back(static_cast<double>(found.trials));
     if (found.overlaps > 0) {
@@ -229,16 +212,6 @@ void run(const mesh::Surface& surface, std::span<const FaceId> faces, const Runs
       row.false_successes += is_net(surface, patch, found.folds, tolerance) ? 0U : 1U;
     }
   }
-}
-
-void add(const Row& from, Row& to) {
-  to.faces += from.faces;
-  to.solved += from.solved;
-  to.checked += from.checked;
-  to.false_successes += from.false_successes;
-  to.seconds.insert(to.seconds.end(), from.seconds.begin(), from.seconds.end());
-  to.trials.insert(to.trials.end(), from.trials.begin(), from.trials.end());
-  to.overlaps_left.insert(to.overlaps_left.end(), from.overlaps_left.begin(), from.overlaps_left.end());
 }
 
 /// The value below which this share of the values lies; 0 when there are none.
@@ -257,8 +230,6 @@ struct Settings {
   bool spiky = false;
   std::string json;
   std::string psb;
-  std::string parts;
-  double limit = 10.0;
   std::vector<std::string> models;
 };
 
@@ -277,7 +248,7 @@ std::vector<Row> run_models(const Settings& settings) {
     row.name = fs::path(file).stem().string();
     const mesh::Surface surface = mesh::read(file, {}, {}).surface;
     row.faces = surface.face_count();
-    run(surface, all_faces(surface), settings.runs, row);
+    run(surface, settings.runs, row);
     print(row);
     rows.push_back(std::move(row));
   }
@@ -290,7 +261,7 @@ std::vector<Row> run_spiky(const Settings& settings) {
     Row row;
     row.name = "spiky " + body.name;
     row.faces = body.surface.face_count();
-    run(body.surface, all_faces(body.surface), settings.runs, row);
+    run(body.surface, settings.runs, row);
     print(row);
     for (const std::size_t overlaps : row.overlaps_left) {
       std::printf("%-22s %zu overlaps are left\n", "", overlaps);
@@ -321,7 +292,7 @@ std::vector<Row> run_benchmark(const Settings& settings) {
         const mesh::Surface& surface = prepared.model.surface;
         if (surface.face_count() > faces / 2 && surface.face_count() < 2 * faces &&
             surface.component_count() == 1) {
-          run(surface, all_faces(surface), settings.runs, row);
+          run(surface, settings.runs, row);
         }
       }
     }
@@ -329,41 +300,6 @@ std::vector<Row> run_benchmark(const Settings& settings) {
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-/// The parts of our own segmentation of unsimplified models, 2000 to 7000 faces each: dense and smooth.
-Row run_parts(const Settings& settings) {
-  Runs runs = settings.runs;
-  runs.limit = settings.limit;
-  Row all;
-  all.name = "parts";
-  for (int base = 0; base < 400; base += 20) {
-    const auto file = fs::path(settings.parts) / (std::to_string(base + 3) + ".off");
-    if (!fs::exists(file)) {
-      continue;
-    }
-    const mesh::Model model = mesh::read(file, {}, {});
-    const segment::Segmentation segmentation = segment::segment(model.surface, {}, {}, {});
-    for (const segment::Part& part : segmentation.parts) {
-      if (part.faces.size() < 2000 || part.faces.size() > 7000) {
-        continue;
-      }
-      for (const std::vector<FaceId>& faces : unfold::connected(model.surface, part.faces)) {
-        Row row;
-        row.name = "part of " + std::to_string(base + 3);
-        row.faces = faces.size();
-        run(model.surface, faces, runs, row);
-        print(row);
-        for (const std::size_t overlaps : row.overlaps_left) {
-          std::printf("%-22s %zu overlaps are left\n", "", overlaps);
-        }
-        add(row, all);
-      }
-    }
-  }
-  all.faces = all.seconds.empty() ? 0 : all.faces / all.seconds.size() * static_cast<std::size_t>(runs.seeds);
-  print(all);
-  return all;
 }
 
 /// Slope of log seconds over log faces, by least squares over the medians.
@@ -418,10 +354,6 @@ Settings parse(int argc, char** argv) {
       settings.json = argv[++i];
     } else if (word == "--psb" && has_value) {
       settings.psb = argv[++i];
-    } else if (word == "--parts" && has_value) {
-      settings.parts = argv[++i];
-    } else if (word == "--limit" && has_value) {
-      settings.limit = std::stod(argv[++i]);
     } else {
       settings.models.push_back(word);
     }
@@ -447,9 +379,6 @@ int main(int argc, char** argv) {
       growth = exponent(more);
       std::printf("seconds grow as faces^%.2f\n", growth);
       rows.insert(rows.end(), more.begin(), more.end());
-    }
-    if (!settings.parts.empty()) {
-      rows.push_back(run_parts(settings));
     }
     if (!settings.json.empty()) {
       write_json(settings.json, rows, growth);

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <variant>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,7 +23,9 @@
 #include "cli/files/pending_files.hpp"
 #include "cli/files/value.hpp"
 #include "cli/interruption.hpp"
+#include "cli/jobs/batch_job.hpp"
 #include "cli/jobs/make_job.hpp"
+#include "cli/jobs/project_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
 #include "cli/jobs/stages.hpp"
 #include "cli/jobs/studio_job.hpp"
@@ -201,11 +205,11 @@ void warn_of(const SizeRequest& asked, const job::Options& options, Session& ses
 ExitCode do_job(const MakeJob& job) {
   Session session(job.common);
   warn_of(job.size_asked, job.options, session);
-  const MakeResult result = about(job.model, [&] {
+  const MakeResult result = about(job.input(), [&] {
     return make_files(job, session.context(), session.pending(), [&](const job::Remark& remark) {
       if (const auto refusal = too_many_pages(remark, job.most_pages)) {
-        throw Error(ErrorKind::usage,
-                    Message("of_model", {{"model", shown_name(job.model)}, {"what", std::vector{*refusal}}}));
+        throw Error(ErrorKind::usage, Message("of_model", {{"model", shown_name(job.input())},
+                                                           {"what", std::vector{*refusal}}}));
       }
       session.warn(english(message(remark)));
     });
@@ -366,6 +370,23 @@ ExitCode do_job(const StudioJob& job) {
   return ExitCode::ok;
 }
 
+/// It has no Session: processes of its own are interrupted with it.
+ExitCode do_job(const BatchJob& job) {
+  Progress progress(!job.common.quiet && !job.common.json);
+  const BatchResult result = run_batch(job, [&](double share) { progress.show("batch", share); });
+  progress.clear();
+  if (result.signal != 0) {
+    throw Error(ErrorKind::interrupted, "interrupted; --resume goes on with " + result.report);
+  }
+  const Summary told = summary(job, result);
+  if (job.common.json) {
+    print_result(told.json());
+  } else if (!job.common.quiet) {
+    print_result(printable_lines(told.text(Detail::all)));
+  }
+  return ExitCode::ok;
+}
+
 ExitCode do_job(const FormatsJob& job) {
   Session session(job.common);
   return session.finish(
@@ -393,7 +414,15 @@ bool asks_for_json(const std::vector<std::string>& words) {
 
 ExitCode do_guarded(const std::vector<std::string>& arguments, bool json) {
   try {
-    return std::visit([](const auto& job) { return do_job(job); }, parse_arguments(arguments));
+    Job job = parse_arguments(arguments);
+    std::optional<UnpackedProject> unpacked;
+    if (auto* const make = std::get_if<MakeJob>(&job)) {
+      if (std::optional<session::ProjectFile> project = project_of(*make)) {
+        unpacked.emplace(*std::move(project));
+        *make = unpacked->job(*make, arguments);
+      }
+    }
+    return std::visit([](const auto& one) { return do_job(one); }, job);
   } catch (const Error& error) {
     return fail(exit_code(error.kind()), error.message(), json);
   } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 // Puts the drawing of each page together: its pieces, their texts, the furniture.
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "export/page/glue_outlines.hpp"
 #include "export/page/lists.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/page/seam_marks.hpp"
 #include "export/page/texts.hpp"
 #include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
@@ -129,12 +131,13 @@ class PageDrawer {
     for (const PieceId id : ids<PieceId>(nets_.pieces.size())) {
       const Placement& placement = pages_.placements[id];
       PieceDrawing piece = piece_drawing(on_page(id), style_);
+      add_ticks(piece);
       piece.notes = notes[id];
       report_lines(piece.group, report_);
-      for (const GlueOutline& glued :
-           std::ranges::equal_range(report_.glue_outlines, id, {}, &GlueOutline::piece)) {
-        add_glue_outline(glued, placement, nets_.pieces[glued.other].name, piece);
-      }
+      const auto glued = std::ranges::equal_range(report_.glue_outlines, id, {}, &GlueOutline::piece);
+      const auto first = static_cast<std::size_t>(glued.begin() - report_.glue_outlines.begin());
+      const auto count = static_cast<std::size_t>(glued.end() - glued.begin());
+      add_glue_outlines(std::span(report_.glue_outlines).subspan(first, count), on_page(id), piece);
       pieces_[placement.page.value()].push_back(std::move(piece));
       piece_ids_[placement.page.value()].push_back(id);
     }
@@ -142,9 +145,13 @@ class PageDrawer {
 
   void report_listed(std::size_t page) {
     for (const PieceDrawing& piece : pieces_[page]) {
-      for (const Seam& seam : piece.seams) {
-        if (seam.at == NumberAt::list) {
-          (can_list_ ? report_.labels_listed : report_.labels_left_out).push_back({piece.name, seam.number});
+      for (const std::vector<std::size_t>& side : piece.sides) {
+        const auto listed = std::find_if(side.begin(), side.end(), [&](std::size_t seam) {
+          return piece.seams[seam].at == NumberAt::list;
+        });
+        if (listed != side.end()) {
+          (can_list_ ? report_.labels_listed : report_.labels_left_out)
+              .push_back({piece.name, piece.seams[*listed].number});
         }
       }
     }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft-import FORMAT: reads a model of that format from standard input by Assimp, and writes what is in
 // it to standard output (mesh/reading/imported/stream.hpp). Not to be called by people: ridgecraft does,
-// where it lets others read for it. Nothing here trusts Assimp: the system lets the process open no file,
-// write to none, start no other and gain no rights, and it has little time and memory.
+// where it lets others read for it. Nothing here trusts Assimp: the system grants the process its two
+// streams, memory and the time of day, and nothing else (seccomp), and it has little time and memory.
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -16,8 +17,11 @@
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
+#include <linux/close_range.h>
+#include <seccomp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "import/scene_soup.hpp"
@@ -35,6 +39,34 @@ void limit(int resource, rlim_t value) {
   const rlimit limits{value, value};
   (void)setrlimit(static_cast<__rlimit_resource_t>(resource), &limits);
 }
+
+#if !defined(RIDGECRAFT_SANITIZED)
+/// From here on the system refuses all calls but these. False where it can't be told so.
+bool allow_little() {
+  const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ERRNO(EPERM));
+  if (filter == nullptr) {
+    return false;
+  }
+  bool set = true;
+  // Memory, threads' locks, the end, and what abort() needs.
+  for (const int call :
+       {SCMP_SYS(brk), SCMP_SYS(mmap), SCMP_SYS(munmap), SCMP_SYS(mremap), SCMP_SYS(madvise), SCMP_SYS(futex),
+        SCMP_SYS(clock_gettime), SCMP_SYS(gettimeofday), SCMP_SYS(getrandom), SCMP_SYS(exit),
+        SCMP_SYS(exit_group), SCMP_SYS(rt_sigaction), SCMP_SYS(rt_sigprocmask), SCMP_SYS(rt_sigreturn),
+        SCMP_SYS(getpid), SCMP_SYS(gettid), SCMP_SYS(tgkill)}) {
+    set = seccomp_rule_add(filter, SCMP_ACT_ALLOW, call, 0) == 0 && set;
+  }
+  set =
+      seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(read), 1, SCMP_A0(SCMP_CMP_EQ, STDIN_FILENO)) == 0 &&
+      set;
+  set = seccomp_rule_add(filter, SCMP_ACT_ALLOW, SCMP_SYS(write), 1, SCMP_A0(SCMP_CMP_EQ, STDOUT_FILENO)) ==
+            0 &&
+        set;
+  set = seccomp_load(filter) == 0 && set;
+  seccomp_release(filter);
+  return set;
+}
+#endif
 
 /// Assimp asks for files beside the model, which it has in memory: there are none.
 class NoFiles final : public Assimp::IOSystem {
@@ -121,6 +153,13 @@ int main(int argc, char** argv) {
   if (argc != 2) {
     return 2;
   }
+#if !defined(RIDGECRAFT_SANITIZED)
+  // What whoever started it had open is none of its business.
+  (void)syscall(SYS_close_range, STDERR_FILENO + 1, ~0U, 0);
+  if (!allow_little()) {
+    return 3;
+  }
+#endif
   std::string answer;
   try {
     answer = imported(read_all(), argv[1]);

@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -68,6 +70,7 @@ class SoupMaker {
     if (corners_ > std::max(most_repeated_corners, own_corners())) {
       throw std::runtime_error("its objects repeat each other without end");
     }
+    find_places(*scene_.mRootNode, Motion());
     add(*scene_.mRootNode, Motion());
     StreamWriter out;
     out.words(stream::start);
@@ -130,6 +133,50 @@ class SoupMaker {
     }
   }
 
+  /// Where each node is that a bone may name; of several of one name the first.
+  void find_places(const aiNode& node, const Motion& above) {
+    const Motion motion = above.after(Motion::of(node.mTransformation));
+    place_of_node_.try_emplace(node.mName.C_Str(), motion);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      find_places(*node.mChildren[i], motion);
+    }
+  }
+
+  /// Points of a skin are where its bones hold them; those that none holds where the node is. Assimp gives
+  /// the other formats' skins at rest already.
+  [[nodiscard]] std::vector<std::array<double, 3>> points_of(const aiMesh& mesh, const Motion& motion) const {
+    std::vector<std::array<double, 3>> points(mesh.mNumVertices);
+    std::vector<double> held(mesh.mNumVertices, 0.0);
+    for (unsigned b = 0; format_ == "DAE" && b < mesh.mNumBones; ++b) {
+      const aiBone& bone = *mesh.mBones[b];
+      const auto place = place_of_node_.find(bone.mName.C_Str());
+      if (place == place_of_node_.end()) {
+        continue;
+      }
+      const Motion bend = place->second.after(Motion::of(bone.mOffsetMatrix));
+      for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+        const unsigned v = bone.mWeights[w].mVertexId;
+        const double weight = bone.mWeights[w].mWeight;
+        if (v >= mesh.mNumVertices || !(weight > 0.0)) {
+          continue;
+        }
+        const std::array<double, 3> at = bend(mesh.mVertices[v]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          points[v][k] += weight * at[k];
+        }
+        held[v] += weight;
+      }
+    }
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      if (held[v] > 0.0) {
+        std::for_each(points[v].begin(), points[v].end(), [&](double& x) { x /= held[v]; });
+      } else {
+        points[v] = motion(mesh.mVertices[v]);
+      }
+    }
+    return points;
+  }
+
   void add(const aiNode& node, const Motion& above) {
     const Motion motion = above.after(Motion::of(node.mTransformation));
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -156,11 +203,10 @@ class SoupMaker {
     const auto first_point = static_cast<std::uint32_t>(points_.size());
     const auto first_place = static_cast<std::uint32_t>(places_.size());
     const bool has_places = mesh.HasTextureCoords(0);
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      points_.push_back(motion(mesh.mVertices[v]));
-      if (has_places) {
-        places_.push_back({mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y});
-      }
+    const std::vector<std::array<double, 3>> points = points_of(mesh, motion);
+    points_.insert(points_.end(), points.begin(), points.end());
+    for (unsigned v = 0; has_places && v < mesh.mNumVertices; ++v) {
+      places_.push_back({mesh.mTextureCoords[0][v].x, mesh.mTextureCoords[0][v].y});
     }
     const bool mirrors = motion.mirrors();
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
@@ -288,6 +334,7 @@ class SoupMaker {
   const std::string& format_;
   std::uint64_t nodes_ = 0;
   std::uint64_t corners_ = 0;
+  std::map<std::string, Motion> place_of_node_;
   std::vector<std::array<double, 3>> points_;
   std::vector<std::array<double, 2>> places_;
   std::vector<std::pair<std::uint32_t, std::string>> objects_;

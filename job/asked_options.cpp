@@ -185,6 +185,7 @@ constexpr std::array fields{
     Field{"keep-bodies", [](Options& o) -> Place { return any_enum(o.bodies); }},
     Field{"skins", [](Options& o) -> Place { return any_enum(o.simplify.skins); }},
     Field{"concavity", [](Options& o) -> Place { return &o.concavity; }},
+    Field{"hours", [](Options& o) -> Place { return &o.simplify.budget.hours; }},
     Field{"thickness", [](Options& o) -> Place { return &o.board.thickness_mm; }},
     Field{"hinge", [](Options& o) -> Place { return any_enum(o.board.hinge); }},
     Field{"pieces", [](Options& o) -> Place { return any_enum(o.pieces.mode); }},

@@ -164,9 +164,27 @@ bool is_fold_file(const OldNets& old) {
   return !mesh::may_have_seams(old.bytes);
 }
 
+/// Numbers among the settings are taken over: what no option could have set is refused.
+void require_numbers(const OldNets& old, const verify::Settings& settings) {
+  constexpr double most = 1e6;
+  for (const char* const name : {"size_mm", "mm_per_unit", "judged_at_mm", "hours"}) {
+    if (settings.find(name) == nullptr) {
+      continue;
+    }
+    const std::optional<double> length = settings.number(name);
+    if (!length || !(*length > 0.0) || (name != std::string_view("mm_per_unit") && *length > most)) {
+      throw Error(ErrorKind::unreadable_input,
+                  fmt::format("{}: its setting \"{}\" is nothing that an option takes", old.name, name),
+                  old.name);
+    }
+  }
+}
+
 verify::File read_fold_file(const OldNets& old) {
   try {
-    return verify::read_file(old.bytes);
+    verify::File file = verify::read_file(old.bytes);
+    require_numbers(old, file.settings);
+    return file;
   } catch (const verify::NotInForm& reason) {
     throw Error(ErrorKind::unreadable_input, old.name + ": " + reason.message, old.name);
   }
@@ -196,6 +214,9 @@ std::optional<prepare::SimplifyOptions> simplified_by(const verify::Settings& se
     simplify.mode = prepare::Simplification::count;
     simplify.faces = static_cast<std::size_t>(*faces);
     return simplify;
+  }
+  if (const std::optional<double> hours = settings.number("hours")) {
+    simplify.budget.hours = *hours;
   }
   const verify::Setting* const word = settings.find("faces");
   const auto* const text = word == nullptr ? nullptr : std::get_if<std::string>(word);
@@ -432,6 +453,7 @@ void apply_edge_requests(const EdgeRequests& edges, mesh::Model& model, prepare:
     if (const auto before = simplified_by(*edges.from)) {
       simplify.mode = before->mode;
       simplify.faces = before->faces;
+      simplify.budget = before->budget;
       return;
     }
   }

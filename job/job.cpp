@@ -18,6 +18,7 @@
 #include "export/sheet/pages.hpp"
 #include "export/view/camera.hpp"
 #include "job/edge_requests.hpp"
+#include "job/next_best.hpp"
 #include "job/options.hpp"
 #include "job/page_layout.hpp"
 #include "job/remark.hpp"
@@ -30,6 +31,7 @@
 #include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/skin/skin.hpp"
+#include "unfold/net/keep_numbers.hpp"
 #include "unfold/tabs_of_nets.hpp"
 #include "unfold/unfold.hpp"
 
@@ -217,7 +219,8 @@ Faces faces_to_unfold(mesh::Model model, const EdgeRequests& edges, const UsedOp
       edges.from && !edges.cut && !edges.keep && used.simplify.mode != prepare::Simplification::keep;
   auto before = as_before ? model_of_nets(*edges.from, model, context) : std::nullopt;
   if (!before || before->simplify.mode != used.simplify.mode ||
-      before->simplify.faces != used.simplify.faces) {
+      before->simplify.faces != used.simplify.faces ||
+      before->simplify.budget.hours != used.simplify.budget.hours) {
     return {std::move(model), used.size, used.simplify};
   }
   notes.push_back(Message("simplified_as_before", {{"file", edges.from->name}}));
@@ -231,22 +234,30 @@ Faces faces_to_unfold(mesh::Model model, const EdgeRequests& edges, const UsedOp
   return faces;
 }
 
-/// What the model looks like as it was read, for pages in colour.
-std::optional<mesh::LookParts> look_for(const Options& options, const mesh::Model& model,
-                                        const Context& context, std::vector<Message>& notes) {
+/// What the model looks like as it was read, for pages in colour. Pictures that can't be unpacked are
+/// remarked on.
+std::optional<mesh::LookParts> look_for(const Options& options, mesh::Model& model, const Context& context) {
   if (!options.paper || options.style.ink == export_::Ink::lines) {
     return std::nullopt;
   }
   std::vector<std::string> faults;
   std::optional<mesh::LookParts> look = mesh::look_of(model, context, faults);
-  std::transform(faults.begin(), faults.end(), std::back_inserter(notes), plain_message);
+  model.repairs.add(mesh::RepairKind::texture_missing, faults.size(),
+                    faults.empty() ? std::string() : faults.front());
   return look;
 }
 
-/// Models of more faces aren't judged once more at another size: it would take too long, and too much memory.
+/// Models of more faces aren't judged once more at another size, and no other result takes the place of one
+/// that fails its check: it would take too long, and too much memory.
 constexpr std::size_t most_judged_faces = 200000;
 /// Of the time that is left.
 constexpr double judging_share = 0.5;
+
+bool are_equal(const mesh::Surface& a, const mesh::Surface& b) {
+  return std::ranges::equal(a.points(), b.points()) && a.face_count() == b.face_count() &&
+         std::ranges::all_of(ids<FaceId>(a.face_count()),
+                             [&](FaceId f) { return a.vertices(f) == b.vertices(f); });
+}
 
 /// Lengths on paper that were measured at another size.
 void rescale(prepare::CleanupReport& cleanup, double factor) {
@@ -357,7 +368,7 @@ class Run {
     used.simplify.part_attached =
         parts_standing_for(options_.edges, options_.bodies == prepare::Bodies::unite &&
                                                used.simplify.mode != prepare::Simplification::keep);
-    look_ = clock_("prepare", context_, [&] { return look_for(options_, model, context_, notes_); });
+    look_ = clock_("prepare", context_, [&] { return look_for(options_, model, context_); });
     return model;
   }
 
@@ -373,6 +384,9 @@ class Run {
       return one_skin(std::move(model), made_.used.size, made_.used.simplify, until_deadline(context_));
     });
     take_over(skin);
+    if (as_read_) {
+      united_ = skin.model.surface;
+    }
     return std::move(skin.model);
   }
 
@@ -422,10 +436,13 @@ class Run {
     const Context in_time = until_deadline(context_, judging_share);
     try {
       OneSkin skin = one_skin(std::move(*as_read_), size, made_.used.simplify, in_time);
+      if (are_equal(skin.model.surface, united_)) {
+        take_over(skin);
+        return;
+      }
       prepare::Prepared prepared = prepare::prepare_as_asked(std::move(skin.model), size, made_.used.simplify,
                                                              panel_room(options_), in_time);
-      if (prepare::is_as_good(prepared, made_.prepared) &&
-          prepare::expected_pages(prepared, area_) <= size.most_pages) {
+      if (is_as_good(prepared) && prepare::expected_pages(prepared, area_) <= size.most_pages) {
         prepared.size_reason = made_.prepared.size_reason;
         made_.prepared = std::move(prepared);
         take_over(skin);
@@ -441,6 +458,13 @@ class Run {
     }
   }
 
+  /// Whether another preparation of the same size asks no more of its builder.
+  [[nodiscard]] bool is_as_good(const prepare::Prepared& other) const {
+    return prepare::excess(other, made_.used.simplify) <=
+               prepare::excess(made_.prepared, made_.used.simplify) &&
+           other.model.surface.component_count() <= made_.prepared.model.surface.component_count();
+  }
+
   /// What is known of the prepared model.
   void describe() {
     prepare::Prepared& prepared = made_.prepared;
@@ -448,6 +472,7 @@ class Run {
       prepared.look = std::make_shared<const mesh::Look>(std::move(*look_), prepared.from_model.factor,
                                                          prepared.from_model.shift);
     }
+    made_.cleanup.left_out.loose += prepared.loose;
     // Bodies that were parted are no longer those of the file, as if they had been united.
     UsedOptions& used = made_.used;
     const bool parted_before = options_.edges.from && used.simplify.part_attached;
@@ -458,8 +483,7 @@ class Run {
   }
 
   void require_buildable() const {
-    const auto why =
-        verdict(made_.prepared, made_.used.simplify, larger_size_is_sure(made_.cleanup, made_.skin));
+    const auto why = verdict(made_.prepared, larger_size_is_sure(made_.cleanup, made_.skin));
     if (options_.strict && why) {
       throw Error(ErrorKind::unbuildable, *why);
     }
@@ -516,13 +540,19 @@ class Run {
   std::vector<Message> notes_;
   std::optional<mesh::LookParts> look_;
   std::optional<mesh::Model> as_read_;  ///< where it may have to be judged at another size
+  mesh::Surface united_;                ///< what it became at the usual size, then
   bool pages_remarked_ = false;
 };
 
 }  // namespace
 
 Result run(mesh::Model model, const Options& options, const Context& context, const Listener& listener) {
-  return Run(options, context, listener).run(std::move(model));
+  if (model.surface.face_count() > most_judged_faces) {
+    return Run(options, context, listener).run(std::move(model));
+  }
+  return next_best(options, context, [&](const Options& changed, const Context& of_attempt) {
+    return Run(changed, of_attempt, listener).run(model);
+  });
 }
 
 export_::Guide guide_of(const Result& made, const Context& context) {
@@ -537,7 +567,10 @@ Result with_tabs(Result made, const unfold::TabOptions& tabs, const Context& con
   made.options.tabs.split_pieces = were_split;
   made.edits = with_new_pages(made.edits);
   StageClock clock = clock_of(made);
+  // Numbers may be those of nets that were edited.
+  const IdVector<JoinId, unfold::Join> before = made.nets.joins;
   give_new_tabs(made, clock, context);
+  unfold::keep_numbers(made.prepared.model.surface, before, made.nets);
   return with_new_nets(std::move(made), std::move(clock), context);
 }
 

@@ -100,8 +100,7 @@ bool larger_size_is_sure(const prepare::CleanupReport& cleanup, const prepare::S
          skin.gaps_closed == 0;
 }
 
-std::optional<Message> verdict(const prepare::Prepared& prepared, const prepare::SimplifyOptions& simplify,
-                               bool larger_is_sure) {
+std::optional<Message> verdict(const prepare::Prepared& prepared, bool larger_is_sure) {
   if (prepare::can_be_folded(prepared)) {
     return std::nullopt;
   }
@@ -110,8 +109,8 @@ std::optional<Message> verdict(const prepare::Prepared& prepared, const prepare:
     reasons.push_back(
         Message(code, {{"percent", fmt::format("{:.0f}", 100.0 * share)}, {"mm", fmt::format("{:g}", mm)}}));
   };
-  if (prepared.simplified.still_too_fine) {
-    add_reason("short_folds_share", prepared.simplified.tiny_edges_after, simplify.tiny_edge_mm);
+  if (prepare::is_too_fine(prepared)) {
+    add_reason("short_folds_share", prepared.work.short_share(), prepare::tweezers_mm);
   }
   if (prepare::has_many_slivers(prepared)) {
     add_reason("narrow_faces_share", prepared.sliver_fraction, prepare::sliver_mm);

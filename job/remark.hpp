@@ -66,9 +66,8 @@ using Listener = std::function<void(const Remark&)>;
 [[nodiscard]] bool larger_size_is_sure(const prepare::CleanupReport& cleanup,
                                        const prepare::SkinReport& skin);
 
-/// "can't be built at 150 mm: 38 % of the folds are shorter than 3 mm; at 380 mm it can", or "it may" where
+/// "can't be built at 150 mm: 38 % of the folds are shorter than 5 mm; at 380 mm it can", or "it may" where
 /// that isn't sure; none for a model that can be folded.
-[[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared,
-                                             const prepare::SimplifyOptions& simplify, bool larger_is_sure);
+[[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared, bool larger_is_sure);
 
 }  // namespace ridgecraft::job

@@ -34,6 +34,9 @@ void add_size(const Options& options, export_::Settings& settings) {
                       : options.simplify.mode == prepare::Simplification::keep
                           ? json_string("keep")
                           : std::to_string(options.simplify.faces);
+  if (options.simplify.mode != prepare::Simplification::automatic) {
+    settings.erase("hours");
+  }
 }
 
 /// "3, from 20 mm 5, from 60 mm 8"
@@ -56,6 +59,9 @@ double greatest_height(const Options& options) {
     height = std::max(height, step.value);
   }
   for (const unfold::EdgeTab& edge : options.tab_choice.edges) {
+    height = std::max(height, edge.height_mm.value_or(0.0));
+  }
+  for (const unfold::TabAt& edge : options.tab_choice.at) {
     height = std::max(height, edge.height_mm.value_or(0.0));
   }
   return height;

@@ -16,13 +16,14 @@
 #include "mesh/model/model.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/bodies/attached_bodies.hpp"
+#include "prepare/bodies/loose_bodies.hpp"
 #include "prepare/panels/divide_panels.hpp"
 #include "prepare/panels/remesh_panels.hpp"
+#include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/simplify/simplify.hpp"
 #include "prepare/symmetry/twins.hpp"
-#include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -271,15 +272,6 @@ void renew_copies(Prepared& prepared, const Context& context) {
 
 }  // namespace
 
-void judge_folds(Prepared& prepared, const SimplifyOptions& simplify) {
-  const FoldFigures folds = fold_figures(prepared.model.surface, simplify);
-  SimplifyReport& report = prepared.simplified;
-  report.short_edges_after = folds.short_fraction();
-  report.tiny_edges_after = folds.tiny_fraction();
-  report.cramped_fraction = folds.cramped_fraction();
-  report.still_too_fine = report.tiny_edges_after > simplify.short_edge_fraction;
-}
-
 Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                          const PanelRoom& room, const Context& context) {
   context.report("preparing", 0.0);
@@ -289,10 +281,16 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   prepared.mm_per_unit = to_size.mm_per_unit;
   add_to_way(prepared, to_size);
   const std::size_t faces_before = prepared.model.surface.face_count();
+  const mesh::Surface before = prepared.model.surface;
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
   prepared.simplified.at_its_size = prepared.simplified.faces_after < faces_before;
-  if (prepared.simplified.faces_after < prepared.simplified.faces_before && !size.mm_per_unit) {
+  if (prepared.simplified.at_its_size) {
+    prepared.loose = hold_again(prepared.model, before, {holding_mm, 0.0}, context);
+    prepared.loose += leave_out_crumbs(prepared.model, holding_mm, context);
+    prepared.simplified.faces_after = prepared.model.surface.face_count();
+  }
+  if (prepared.simplified.at_its_size && !size.mm_per_unit) {
     // Collapses move the outermost points, too; the size that was asked for is the finished model's.
     const Resized resized = resize(prepared.model, size);
     const double factor = resized.mm_per_unit;
@@ -304,7 +302,6 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   if (simplify.part_attached) {
     prepared.attached = part_attached_bodies(prepared.model, context);
   }
-  judge_folds(prepared, simplify);
   copy_equal_bodies(prepared, size, simplify.mode == Simplification::keep, context);
   prepared.divided_panels = divide_panels(prepared.model, prepared.panels, room, context);
   if (prepared.divided_panels > 0 && !prepared.twins.empty()) {
@@ -318,6 +315,7 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
                              static_cast<double>(surface.face_count());
   prepared.model.repairs.add(mesh::RepairKind::narrow_faces,
                              count_narrow_faces(surface, prepared.panels, narrow_mm));
+  prepared.work = expected_work(surface, prepared.panels, simplify.hidden_fold_angle);
   return prepared;
 }
 

@@ -25,7 +25,4 @@ Resized resize(mesh::Model& model, const SizeOptions& size);
                                        const SimplifyOptions& simplify, const PanelRoom& room,
                                        const Context& context);
 
-/// Sets what `simplified` says of the folds that are left, as they are at this size. Linear.
-void judge_folds(Prepared& prepared, const SimplifyOptions& simplify);
-
 }  // namespace ridgecraft::prepare

@@ -19,7 +19,9 @@
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/bodies/block_proxies.hpp"
+#include "prepare/bodies/loose_bodies.hpp"
 #include "prepare/bodies/thin_walls.hpp"
+#include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/symmetry/isometry.hpp"
 #include "prepare/walls/walls.hpp"
@@ -383,8 +385,22 @@ constexpr double over_detailed_fraction = 0.2;
 constexpr double proxies_may_move = 2.0;
 /// Short edges have this share of the length of a over-detailed body's edges, ...
 constexpr double over_detailed = 0.35;
-/// ... and this one where too many faces would crumple bodies that could be folded.
-constexpr double over_detailed_among_many = 0.12;
+
+/// A body whose hold was left out moves by no more than this share of the extent to find another one.
+constexpr double most_moved = 0.06;
+
+/// Whether a model of so many millimetres a unit has to be simplified.
+bool is_too_much(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
+  const Work work = expected_work(surface, find_panels(surface), simplify.hidden_fold_angle, mm);
+  return excess(work, own_budget(simplify)) > 0.0;
+}
+
+/// Whether that is for its sheer number of faces.
+bool has_too_many_faces(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
+  const Work work = expected_work(surface, find_panels(surface), simplify.hidden_fold_angle, mm);
+  return surface.face_count() > simplify.most_faces || minutes_of(work) > 60.0 * own_budget(simplify).hours;
+}
+
 /// How many millimetres a unit of the model becomes, as far as is known before it has its size.
 double judged_mm_per_unit(const mesh::Model& model, const SizeOptions& size) {
   const double largest = model.surface.bounds().largest_extent();
@@ -401,12 +417,17 @@ Details leave_out_details(mesh::Model& model, const SizeOptions& size, const Sim
   if (simplify.mode == Simplification::keep || !(mm > 0.0)) {
     return {};
   }
+  const mesh::Surface before = model.surface;
   // A relief that is lower than the shortest fold can't be built: what would be its face lies on the wall.
   // Where there is too much to be built, whole bodies that would be hard go before others are bent.
   Details left_out = leave_out_details(model, DetailLimits{simplify.tiny_edge_mm / mm, 0.0}, context);
-  if (simplify.mode == Simplification::automatic && model.surface.face_count() > simplify.most_faces) {
+  if (simplify.mode == Simplification::automatic && has_too_many_faces(model.surface, mm, simplify)) {
     left_out +=
         leave_out_details(model, DetailLimits{simplify.short_edge_mm / mm, over_detailed_fraction}, context);
+  }
+  if (left_out.count() > 0) {
+    left_out.loose =
+        hold_again(model, before, {holding_mm / mm, most_moved * before.bounds().largest_extent()}, context);
   }
   return left_out;
 }
@@ -430,15 +451,13 @@ CleanupReport clean_bodies(mesh::Model& model, const SizeOptions& size, const Si
   SimplifyOptions in_units = simplify;
   in_units.short_edge_mm /= mm;
   in_units.tiny_edge_mm /= mm;
-  const bool too_many = model.surface.face_count() > simplify.most_faces;
   const double extent = model.surface.bounds().largest_extent();
-  if (too_many || fold_figures(model.surface, in_units).short_fraction() > simplify.short_edge_fraction) {
-    report.proxies =
-        make_block_proxies(model,
-                           {in_units.short_edge_mm, in_units.tiny_edge_mm,
-                            proxies_may_move * simplify.largest_deviation * extent,
-                            too_many ? over_detailed_among_many : over_detailed, simplify.hidden_fold_angle},
-                           context);
+  if (is_too_much(model.surface, mm, simplify)) {
+    report.proxies = make_block_proxies(
+        model,
+        {in_units.short_edge_mm, in_units.tiny_edge_mm,
+         proxies_may_move * simplify.largest_deviation * extent, over_detailed, simplify.hidden_fold_angle},
+        context);
     report.proxies.moved_mm *= mm;
   }
   return report;

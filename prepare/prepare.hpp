@@ -19,12 +19,13 @@ inline constexpr double most_slivers = 0.05;
 /// ... where all its faces are as its maker made them, they may be meant.
 inline constexpr double most_own_slivers = 0.15;
 [[nodiscard]] bool has_many_slivers(const Prepared& prepared);
+/// Whether more of its folds are short than a person takes on.
+[[nodiscard]] bool is_too_fine(const Prepared& prepared);
 /// Whether a person could fold it at its size.
 [[nodiscard]] bool can_be_folded(const Prepared& prepared);
-/// Whether a model is as good to build as another preparation of it of the same size: it can be folded,
-/// hasn't more slivers nor comes in more bodies, tabs and numbers have room, or as much as there, and
-/// simplification isn't seen, or is there.
-[[nodiscard]] bool is_as_good(const Prepared& prepared, const Prepared& other);
+/// By what share it is more than it should be, in the sum of all that counts: work, short folds, narrow
+/// faces, and how far simplification moved its surface if that is seen. 0 where nothing is.
+[[nodiscard]] double excess(const Prepared& prepared, const SimplifyOptions& simplify);
 
 /// Scales, simplifies and remeshes flat regions: a panel has no vertices inside and none on its straight
 /// sides that only two panels share, but for where a panel that fits no page in any rotation is cut: by
@@ -32,10 +33,9 @@ inline constexpr double most_own_slivers = 0.15;
 /// keeps a mirror plane of the model and the equality of equal components (symmetry/). Cost O(n log n).
 /// Throws no_nets where every face is narrower than 0.005 mm (below 0.05 mm they are noted as narrow_faces),
 /// or where the model would be larger than 100 m or than a million faces of this paper.
-/// Where the size adapts it is that of SizeOptions if the model can be folded there on few enough pages, with
-/// room for tabs and numbers, and without simplification that is seen; else the next larger one at which that
-/// is so, or a smaller one. Where it can't be folded, the smallest size at
-/// which it can is told. Each size that is tried costs as much again.
+/// Where the size adapts it is that of SizeOptions, or the larger one on few enough pages at which it exceeds
+/// least what it should be; or a smaller one where it takes too many pages. Where it can't be folded, the
+/// smallest size at which it can is told. Each size that is tried costs as much again.
 [[nodiscard]] Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                                const PanelRoom& room, const Context& context);
 

@@ -5,10 +5,14 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <string>
 #include <thread>
+
+#include <fmt/format.h>
 
 #include "base/error.hpp"
 
@@ -40,6 +44,20 @@ struct Shared {
 std::atomic<int>& workers() {
   static std::atomic<int> count{0};
   return count;
+}
+
+/// A whole number from 0 to `most`.
+template <class Number>
+Number whole_number(const char* name, const py::handle& value, Number most) {
+  try {
+    const auto number = py::cast<Number>(value);
+    if (number <= most) {
+      return number;
+    }
+  } catch (const py::cast_error&) {
+    // What follows says it.
+  }
+  throw Error(ErrorKind::usage, fmt::format("{} is a whole number from 0 to {}", name, most));
 }
 
 Context context_of(const std::shared_ptr<Shared>& shared, const RunSettings& settings) {
@@ -104,6 +122,21 @@ void end_or_leave(std::thread& worker, const std::shared_ptr<Shared>& shared) {
 }
 
 }  // namespace
+
+RunSettings run_settings(const py::tuple& run) {
+  RunSettings settings;
+  settings.threads = whole_number<unsigned>("threads", run[0], std::numeric_limits<unsigned>::max());
+  settings.seed = whole_number<std::uint64_t>("seed", run[1], std::numeric_limits<std::uint64_t>::max());
+  if (!run[2].is_none()) {
+    try {
+      settings.time_limit_s = py::cast<double>(run[2]);
+    } catch (const py::cast_error&) {
+      throw Error(ErrorKind::usage, "time_limit is a number of seconds above 0");
+    }
+  }
+  settings.progress = run[3];
+  return settings;
+}
 
 void run_in_background(std::function<void(const Context&)> work, const RunSettings& settings) {
   const auto shared = std::make_shared<Shared>();

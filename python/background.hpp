@@ -21,6 +21,11 @@ struct RunSettings {
   pybind11::object progress;  ///< called with the stage's name and the share done, from the caller's thread
 };
 
+/// From threads, seed, time limit (or None) and progress, as Python's functions pass them. Throws
+/// Error(usage) with a sentence about the one that can't be: an argument of a wrong type would be told of
+/// with all arguments, the mesh among them.
+[[nodiscard]] RunSettings run_settings(const pybind11::tuple& run);
+
 /// Does the work on a thread of its own and waits for it without the interpreter's lock. Signals that Python
 /// has a handler for, Ctrl-C first of all, are looked for every few milliseconds: what the handler raises
 /// stops the work, as does what `progress` raises. Work that doesn't stop at once (a library may be in the

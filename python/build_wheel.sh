@@ -3,7 +3,7 @@
 # Builds a wheel of the Python module, and leaves it in build/wheel, or in the folder that is named; what is missing is
 # installed with apt.
 # CMAKE_ARGS holds further options for CMake.
-#   python/build_wheel.sh && /usr/bin/python3 -m pip install build/wheel/ridgecraft-*.whl
+#   python/build_wheel.sh && /usr/bin/python3 -m venv --system-site-packages env && env/bin/pip install build/wheel/*.whl
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(dirname "$here")

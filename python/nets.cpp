@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,8 +22,11 @@
 #include "export/export.hpp"
 #include "job/asked_options.hpp"
 #include "job/job.hpp"
+#include "mesh/mesh.hpp"
 #include "python/background.hpp"
 #include "python/polygons.hpp"
+#include "session/project_file.hpp"
+#include "session/session.hpp"
 
 namespace ridgecraft::python {
 namespace {
@@ -251,13 +257,57 @@ void add_making(py::module_& module, const char* name) {
   module.def(
       name,
       [](const py::object& vertices, const py::object& faces, const py::dict& options,
-         const std::tuple<bool, std::string>& making,
-         const std::tuple<unsigned, std::uint64_t, std::optional<double>, py::object>& run) {
+         const std::tuple<bool, std::string>& making, const py::tuple& run) {
         const auto& [whole, title] = making;
-        const auto& [threads, seed, time_limit, progress] = run;
-        return make(vertices, faces, options, {pages, whole, title}, {threads, seed, time_limit, progress});
+        return make(vertices, faces, options, {pages, whole, title}, run_settings(run));
       },
       "vertices"_a, "faces"_a, "options"_a, "making"_a, "run"_a);
+}
+
+/// The options of a project, whose words are those of a command line.
+job::AskedOptions asked_of(const session::ProjectFile& project) {
+  job::AskedOptions asked;
+  for (const std::string& word : project.words) {
+    const std::size_t equals = std::min(word.find('='), word.size());
+    const Option& row = option_row(std::string_view(word).substr(2, equals - 2));
+    job::AskedOptions::Typed& typed = asked.typed(row.name);
+    const std::string text = word.substr(std::min(equals + 1, word.size()));
+    if (row.kind == OptionKind::file) {
+      throw Error(ErrorKind::usage,
+                  "the project names edges or tabs in files, which the program alone reads");
+    }
+    typed.flag = row.kind == OptionKind::flag;
+    typed.text = text;
+    typed.texts.push_back(text);
+  }
+  return asked;
+}
+
+/// A project as it was saved: its model with its options, and what was done by hand.
+job::Result opened(const session::ProjectFile& project, const std::filesystem::path& folder,
+                   Context context) {
+  const job::AskedOptions asked = asked_of(project);
+  job::Options usual;
+  usual.size.adapts = true;
+  const job::Options options = job::options_of(asked, std::move(usual));
+  context.seed = asked.whole("seed");
+  job::Result made = job::run(mesh::read(folder / project.model, {}, context), options, context);
+  const std::vector<std::vector<session::Edit>> steps = session::steps_of(project.edits);
+  return steps.empty() ? made : session::repeat(std::move(made), steps, context).project.now;
+}
+
+py::object open_project(const std::string& file, const std::string& bytes, const std::string& folder,
+                        const RunSettings& settings) {
+  auto made = result_in_background(
+      [file, bytes, folder](const Context& context) {
+        const session::ProjectFile project = session::read_project(file, bytes);
+        for (const auto& [name, bytes] : project.files) {
+          std::ofstream(std::filesystem::path(folder) / name, std::ios::binary) << bytes;
+        }
+        return std::make_shared<const job::Result>(opened(project, folder, context));
+      },
+      settings);
+  return py::cast(Paper{{std::move(made)}});
 }
 
 /// Bytes or text that takes a while to be written, without the interpreter's lock.
@@ -296,8 +346,8 @@ void add_nets(py::module_& module) {
       .def_property_readonly("piece_names", &piece_names, "The name of each piece, as printed.")
       .def_property_readonly(
           "joins", &joins,
-          "(number, edge, tab) for each cut: the number is printed on both of its sides, tab is -1 "
-          "where there is none.")
+          "(number, edge, tab) for each cut: cuts in a row share a number, which is printed on both "
+          "sides; tab is -1 where there is none.")
       .def_property_readonly(
           "tabs", &tabs,
           "(face, polygon) for each tab: the triangle that it grows from, and its corners in the "
@@ -348,6 +398,13 @@ void add_nets(py::module_& module) {
             return written([&] { return export_::write_dxf(drawing, p.mark()); });
           },
           "page"_a, "One page, counted from 0, as a DXF for machines.");
+  module.def(
+      "open_project",
+      [](const std::string& file, const py::bytes& bytes, const std::string& folder, unsigned threads,
+         const py::object& progress) {
+        return open_project(file, bytes, folder, {threads, 1, std::nullopt, progress});
+      },
+      "file"_a, "bytes"_a, "folder"_a, "threads"_a, "progress"_a);
   add_making<false>(module, "unfold");
   add_making<true>(module, "run");
 }

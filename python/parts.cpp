@@ -28,8 +28,7 @@ namespace py = pybind11;
 /// How a caller wants the parts.
 struct PartsAsked {
   segment::Options options;
-  std::optional<std::size_t> count;       ///< that many ...
-  std::optional<std::size_t> most_parts;  ///< ... or at most so many, however concave they become
+  std::optional<std::size_t> count;  ///< that many
 };
 
 segment::Options options_of(double concavity, int effort, std::optional<double> volume_weight, bool planes,
@@ -71,14 +70,7 @@ segment::Segmentation find_parts(const mesh::Model& model, const PartsAsked& ask
   if (asked.count) {
     return parts_of_count(model, *asked.count, context);
   }
-  segment::Segmentation found =
-      segment::segment(model.surface, model.polygon.items(), asked.options, context);
-  if (!asked.most_parts || found.parts.size() <= *asked.most_parts) {
-    return found;
-  }
-  const segment::Hierarchy hierarchy =
-      segment::find_hierarchy(model.surface, model.polygon.items(), *asked.most_parts, context);
-  return hierarchy.parts(std::clamp(*asked.most_parts, hierarchy.fewest(), hierarchy.leaves));
+  return segment::segment(model.surface, model.polygon.items(), asked.options, context);
 }
 
 py::array_t<std::int32_t> labels_of(const std::vector<std::uint32_t>& labels) {
@@ -91,49 +83,54 @@ py::array_t<std::int32_t> segment_mesh(const py::object& vertices, const py::obj
                                        int effort, std::optional<std::size_t> parts,
                                        std::optional<double> volume_weight, bool planes, bool pockets,
                                        const std::string& holes, const std::string& components,
-                                       unsigned threads, std::uint64_t seed, const py::object& progress) {
-  const PartsAsked asked{
-      options_of(concavity, effort, volume_weight, planes, pockets, holes, components), parts, {}};
+                                       const py::tuple& run) {
+  const PartsAsked asked{options_of(concavity, effort, volume_weight, planes, pockets, holes, components),
+                         parts};
   const auto mesh = std::make_shared<const Mesh>(mesh_of(vertices, faces));
   return labels_of(result_in_background(
-      [mesh, asked](const Context& context) {
+      [mesh, asked](const Context& patient) {
+        const Context context = until_deadline(patient);
         const mesh::Model model = model_of(*mesh, {.collapse_flat_faces = false}, context);
         return segment::polygon_labels(model, find_parts(model, asked, context));
       },
-      {threads, seed, std::nullopt, progress}));
+      run_settings(run)));
 }
 
-py::list hulls_of_mesh(const py::object& vertices, const py::object& faces, double concavity, int effort,
-                       std::optional<std::size_t> parts, std::optional<std::size_t> most_parts,
-                       std::size_t max_vertices, std::optional<double> volume_weight, bool planes,
-                       bool pockets, const std::string& holes, const std::string& components,
-                       unsigned threads, std::uint64_t seed, const py::object& progress) {
+py::tuple hulls_of_mesh(const py::object& vertices, const py::object& faces, double concavity, int effort,
+                        std::optional<std::size_t> parts, std::size_t max_hulls, std::size_t max_vertices,
+                        std::optional<double> volume_weight, bool planes, bool pockets,
+                        const std::string& holes, const std::string& components, const py::tuple& run) {
   constexpr std::size_t fewest_vertices = 8;
   if (max_vertices > 0 && max_vertices < fewest_vertices) {
     throw Error(ErrorKind::usage,
                 fmt::format("max_vertices is 0 for any number, or at least 8, not {}", max_vertices));
   }
   const PartsAsked asked{options_of(concavity, effort, volume_weight, planes, pockets, holes, components),
-                         parts, most_parts};
+                         parts};
   const auto mesh = std::make_shared<const Mesh>(mesh_of(vertices, faces));
-  std::vector<solid::Body> bodies = result_in_background(
-      [mesh, asked, max_vertices](const Context& context) {
+  const solid::HullSet set = result_in_background(
+      [mesh, asked, max_vertices, max_hulls](const Context& patient) {
+        const Context context = until_deadline(patient);
         const mesh::Model model = model_of(*mesh, {.collapse_flat_faces = false}, context);
-        std::vector<solid::Body> found = solid::part_hulls(model.surface, find_parts(model, asked, context),
-                                                           {.max_vertices = max_vertices}, context);
-        for (solid::Body& body : found) {
+        solid::HullSet found =
+            solid::model_hulls(model.surface, find_parts(model, asked, context),
+                               {.max_vertices = max_vertices, .max_hulls = max_hulls}, context);
+        for (solid::Body& body : found.bodies) {
           for (Vec3& p : body.points) {
             p = model.file_scale * p;
           }
         }
         return found;
       },
-      {threads, seed, std::nullopt, progress});
+      run_settings(run));
   py::list hulls;
-  for (const solid::Body& body : bodies) {
+  for (const solid::Body& body : set.bodies) {
     hulls.append(py::make_tuple(array_of(body.points), array_of(body.triangles)));
   }
-  return hulls;
+  if (set.fit.solid_volume == 0.0) {
+    return py::make_tuple(hulls, py::none(), py::none());
+  }
+  return py::make_tuple(hulls, set.fit.union_volume / set.fit.solid_volume, set.fit.uncovered);
 }
 
 }  // namespace
@@ -141,11 +138,10 @@ py::list hulls_of_mesh(const py::object& vertices, const py::object& faces, doub
 void add_parts(py::module_& module) {
   using namespace py::literals;
   module.def("segment", &segment_mesh, "vertices"_a, "faces"_a, py::kw_only(), "concavity"_a, "effort"_a,
-             "parts"_a, "volume_weight"_a, "planes"_a, "pockets"_a, "holes"_a, "components"_a, "threads"_a,
-             "seed"_a, "progress"_a);
+             "parts"_a, "volume_weight"_a, "planes"_a, "pockets"_a, "holes"_a, "components"_a, "run"_a);
   module.def("hulls", &hulls_of_mesh, "vertices"_a, "faces"_a, py::kw_only(), "concavity"_a, "effort"_a,
-             "parts"_a, "most_parts"_a, "max_vertices"_a, "volume_weight"_a, "planes"_a, "pockets"_a,
-             "holes"_a, "components"_a, "threads"_a, "seed"_a, "progress"_a);
+             "parts"_a, "max_hulls"_a, "max_vertices"_a, "volume_weight"_a, "planes"_a, "pockets"_a,
+             "holes"_a, "components"_a, "run"_a);
 }
 
 }  // namespace ridgecraft::python

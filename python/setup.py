@@ -37,6 +37,7 @@ class BuildWithCMake(build_ext):
         target = Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(str(built), str(target))
+        self.copy_file(str(ROOT / "LICENSE"), str(target.parent / "LICENSE"))
 
 
 setup(

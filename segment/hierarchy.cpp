@@ -20,9 +20,6 @@ namespace {
 /// Tolerances of the finest parts: fine enough to slide through, and where to stop looking for more.
 constexpr double first_tolerance = 0.03;
 constexpr double least_tolerance = 0.005;
-/// Of openings (hull_depth.hpp), whatever the tolerance: each union has one concavity, and rims of vessels
-/// aren't deep. That of segment() by default.
-constexpr double opening_scale = Options{}.concavity;
 
 /// A border between two nodes that are parts at the time.
 struct Meeting : Border {
@@ -46,7 +43,7 @@ class Joiner {
       : scaled_(scale_surface(surface, polygon)),
         weights_(weigh_edges(scaled_)),
         graph_(build_vertex_graph(scaled_, arc_sagitta_share * tolerance)),
-        measurer_(scaled_, graph_, {tolerance, {}, opening_scale}, context),
+        measurer_(scaled_, graph_, {tolerance, {}}, context),
         context_(&context) {}
 
   Hierarchy run(const Segmentation& finest) {
@@ -218,14 +215,20 @@ Hierarchy find_hierarchy(const mesh::Surface& surface, std::span<const std::uint
   const mesh::Surface& measured = divided.any() ? divided.surface : surface;
   const std::span<const std::uint32_t> together = divided.any() ? divided.polygon : polygon;
   Segmentation finest = segment(measured, together, options, context);
+  double tolerance = options.concavity;
   while (finest.parts.size() < at_least && options.concavity > least_tolerance) {
     options.concavity = std::max(least_tolerance, 0.5 * options.concavity);
-    finest = segment(measured, together, options, context);
+    // A lower tolerance rarely gives fewer parts, but it may: other cuts are made.
+    Segmentation finer = segment(measured, together, options, context);
+    if (finer.parts.size() > finest.parts.size()) {
+      finest = std::move(finer);
+      tolerance = options.concavity;
+    }
   }
   if (finest.parts.empty()) {
     return {};
   }
-  Hierarchy hierarchy = Joiner(measured, together, options.concavity, context).run(finest);
+  Hierarchy hierarchy = Joiner(measured, together, tolerance, context).run(finest);
   if (divided.any()) {
     hierarchy.faces = surface.face_count();
     for (Part& node : hierarchy.nodes) {

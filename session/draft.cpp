@@ -13,9 +13,11 @@
 #include <fmt/format.h>
 
 #include "base/elementary.hpp"
+#include "base/option_table.hpp"
 #include "export/layout_around.hpp"
 #include "job/page_layout.hpp"
 #include "job/unfold_options.hpp"
+#include "session/names.hpp"
 #include "unfold/edits.hpp"
 #include "unfold/tabs/place/fit.hpp"
 #include "unfold/tabs/place/tab_requests.hpp"
@@ -193,6 +195,42 @@ Refusal no_such_edge() {
   return refusal(Message("no_such_edge"), {});
 }
 
+/// Whether the tabs of a piece that has the faces of one before, as they lay, aren't those that it had.
+bool other_tabs_change(const Nets& before, const Nets& after) {
+  const unfold::TabsOfPiece old_tabs = unfold::tabs_of_pieces(before);
+  const unfold::TabsOfPiece tabs = unfold::tabs_of_pieces(after);
+  const auto ids_of_pieces = ids<PieceId>(after.pieces.size());
+  return std::any_of(ids_of_pieces.begin(), ids_of_pieces.end(), [&](PieceId p) {
+    const std::vector<FaceId>& faces = after.pieces[p].faces;
+    const PieceId old = before.piece[faces.front()];
+    return before.pieces[old].faces == faces &&
+           std::all_of(faces.begin(), faces.end(),
+                       [&](FaceId f) { return before.flat[f] == after.flat[f]; }) &&
+           !looks_alike({before, old_tabs, old}, {after, tabs, p});
+  });
+}
+
+/// The tabs that joins had before, where they are joins still: the same sides, or none.
+std::vector<unfold::TabAt> tabs_as_before(const Nets& before, const Nets& after,
+                                          const mesh::Surface& surface) {
+  std::vector<unfold::TabAt> tabs;
+  for (const unfold::Join& join : before.joins) {
+    if (after.use[join.edge] == unfold::EdgeUse::cut) {
+      unfold::TabAt tab;
+      tab.edge = join.edge;
+      tab.wanted = join.tab.valid();
+      if (tab.wanted) {
+        // Rather none than one on the other side, which would be another piece's.
+        tab.no_other_side = true;
+        const CornerId side = before.tabs[join.tab].side;
+        tab.side = static_cast<std::uint8_t>(surface.sides(join.edge)[0] == side ? 0 : 1);
+      }
+      tabs.push_back(tab);
+    }
+  }
+  return tabs;
+}
+
 /// Whether paper of another colour begins at an edge.
 bool parts_colours(const mesh::Surface& surface, const job::PageLabels& labels, EdgeId edge) {
   const auto [c, d] = surface.sides(edge);
@@ -290,7 +328,7 @@ Draft::Change Draft::change(const Join& join) {
   return take(unfold::join_cut(problem(), nets(), *edge, context_));
 }
 
-Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
+Draft::Change Draft::ask_for_tab(const Edge& named, unfold::TabAt tab) {
   const std::optional<EdgeId> edge = edge_of(surface_, named);
   if (!edge) {
     return no_such_edge();
@@ -301,9 +339,7 @@ Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
   if (nets().use[*edge] != unfold::EdgeUse::cut) {
     return refusal(Message("only_glued_edges"), faces_at(*edge));
   }
-  unfold::TabAt tab;
   tab.edge = *edge;
-  tab.wanted = wanted;
   tab.side = static_cast<std::uint8_t>(surface_.vertex(surface_.sides(*edge)[0]) == named.from ? 0 : 1);
   tabs_.push_back({edit_, tab});
   new_tabs_ = true;
@@ -311,11 +347,28 @@ Draft::Change Draft::ask_for_tab(const Edge& named, bool wanted) {
 }
 
 Draft::Change Draft::change(const TabFrom& tab) {
-  return ask_for_tab(tab.edge, true);
+  return ask_for_tab(tab.edge, {});
 }
 
 Draft::Change Draft::change(const NoTab& tab) {
-  return ask_for_tab(tab.edge, false);
+  unfold::TabAt none;
+  none.wanted = false;
+  return ask_for_tab(tab.edge, none);
+}
+
+Draft::Change Draft::change(const TabShape& shape) {
+  const Option& height = option_row("tab-height");
+  const Option& angle = option_row("tab-angle");
+  unfold::TabAt tab;
+  tab.height_mm = std::clamp(shape.height_mm, height.low, height.high);
+  tab.angle = std::clamp(shape.degrees, angle.low, angle.high) * std::numbers::pi / 180.0;
+  return ask_for_tab(shape.edge, tab);
+}
+
+Draft::Change Draft::change(const BothTabs& both) {
+  unfold::TabAt tab;
+  tab.both = true;
+  return ask_for_tab(both.edge, tab);
 }
 
 Draft::Change Draft::change(const Place& place) {
@@ -372,6 +425,17 @@ Draft::Change Draft::change(const Retry& retry) {
   return take(unfold::retry_pieces(problem(), nets(), {&piece, 1}, seeded));
 }
 
+Draft::Change Draft::change(const Number& /*edit*/) {
+  if (!nets_) {
+    nets_ = *before_.nets;
+  }
+  for (const PieceId p : ids<PieceId>(nets_->pieces.size())) {
+    nets_->pieces[p].name = unfold::piece_name(p.value());
+  }
+  numbered_ = true;
+  return std::nullopt;
+}
+
 Draft::Change Draft::change(const Pack& pack) {
   for (const FaceId face : pack.faces) {
     if (Change none = check_face(face)) {
@@ -400,6 +464,19 @@ Draft::Change Draft::missing_tab(const unfold::Nets& finished) const {
   return std::nullopt;
 }
 
+unfold::Nets Draft::with_tabs(std::vector<unfold::TabAt> as_before,
+                              const std::vector<unfold::TabAt>& asked) const {
+  unfold::TabChoice choice = made_.options.tab_choice;
+  // Numbers are those of the nets before all edits.
+  std::vector<unfold::TabAt> at = unfold::by_edges(surface_, made_.nets, choice.edges);
+  choice.edges.clear();
+  at.insert(at.end(), choice.at.begin(), choice.at.end());
+  at.insert(at.end(), as_before.begin(), as_before.end());
+  at.insert(at.end(), asked.begin(), asked.end());
+  choice.at = std::move(at);
+  return job::tabbed(made_, nets(), choice, context_);
+}
+
 std::variant<State, Refusal> Draft::finish() const {
   State state = before_;
   state.pinned = pinned_;
@@ -407,16 +484,15 @@ std::variant<State, Refusal> Draft::finish() const {
     state.tabs.push_back(asked.tab);
   }
   if (!nets_stay()) {
-    unfold::TabChoice choice = made_.options.tab_choice;
-    // Numbers are those of the nets before all edits.
-    std::vector<unfold::TabAt> at = unfold::by_edges(surface_, made_.nets, choice.edges);
-    choice.edges.clear();
-    at.insert(at.end(), choice.at.begin(), choice.at.end());
-    at.insert(at.end(), state.tabs.begin(), state.tabs.end());
-    choice.at = std::move(at);
-    unfold::Nets finished = job::tabbed(made_, nets(), choice, context_);
+    unfold::Nets finished = with_tabs({}, state.tabs);
+    if (!numbered_ && other_tabs_change(*before_.nets, finished)) {
+      finished = with_tabs(tabs_as_before(*before_.nets, finished, surface_), state.tabs);
+    }
     if (Change missing = missing_tab(finished)) {
       return *std::move(missing);
+    }
+    if (!numbered_) {
+      keep_names(surface_, made_.nets, *before_.nets, finished);
     }
     state.nets = std::make_shared<const unfold::Nets>(std::move(finished));
   }

@@ -88,15 +88,20 @@ class Draft {
   [[nodiscard]] Change change(const Join& join);
   [[nodiscard]] Change change(const TabFrom& tab);
   [[nodiscard]] Change change(const NoTab& tab);
+  [[nodiscard]] Change change(const TabShape& shape);
+  [[nodiscard]] Change change(const BothTabs& both);
   [[nodiscard]] Change change(const Place& place);
   [[nodiscard]] Change change(const Pin& pin);
   [[nodiscard]] Change change(const Unpin& unpin);
   [[nodiscard]] Change change(const Retry& retry);
   [[nodiscard]] Change change(const Pack& pack);
-  [[nodiscard]] Change ask_for_tab(const Edge& named, bool wanted);
+  [[nodiscard]] Change change(const Number& edit);
+  [[nodiscard]] Change ask_for_tab(const Edge& named, unfold::TabAt tab);
   [[nodiscard]] Change pinned_beside(EdgeId edge) const;
   [[nodiscard]] Change take(unfold::ChangedNets changed);
   [[nodiscard]] std::vector<FaceId> faces_at(EdgeId edge) const;
+  [[nodiscard]] unfold::Nets with_tabs(std::vector<unfold::TabAt> as_before,
+                                       const std::vector<unfold::TabAt>& asked) const;
   [[nodiscard]] Change missing_tab(const unfold::Nets& finished) const;
   [[nodiscard]] std::variant<State, Refusal> placed(State state) const;
 
@@ -119,6 +124,7 @@ class Draft {
   job::PageLabels labels_;
   std::optional<unfold::Nets> nets_;  ///< once they have changed
   bool new_tabs_ = false;
+  bool numbered_ = false;  ///< names and numbers are those of the program again
   std::set<FaceId> pinned_;
   std::vector<TabEdit> tabs_;
   std::vector<Laid> laid_;

@@ -33,6 +33,12 @@ std::string words_of(const TabFrom& edit) {
 std::string words_of(const NoTab& edit) {
   return words_with("no-tab", edit.edge);
 }
+std::string words_of(const TabShape& edit) {
+  return fmt::format("{} {} {}", words_with("tab-shape", edit.edge), edit.height_mm, edit.degrees);
+}
+std::string words_of(const BothTabs& edit) {
+  return words_with("both-tabs", edit.edge);
+}
 std::string words_of(const Place& edit) {
   return fmt::format("place {} {} {} {} {}", edit.face.value(), edit.page + 1, edit.at.x, edit.at.y,
                      edit.degrees);
@@ -52,6 +58,10 @@ std::string words_of(const Pack& edit) {
     words += fmt::format(" {}", face.value());
   }
   return words;
+}
+
+std::string words_of(const Number& /*edit*/) {
+  return "number";
 }
 
 /// What comes before the next separator; `text` goes on behind it.
@@ -113,6 +123,14 @@ std::optional<Edit> edit_with(std::string_view verb, Numbers& numbers) {
   if (verb == "no-tab") {
     return NoTab{numbers.next_edge()};
   }
+  if (verb == "tab-shape") {
+    const Edge edge = numbers.next_edge();
+    const double height = numbers.next_finite();
+    return TabShape{edge, height, numbers.next_finite()};
+  }
+  if (verb == "both-tabs") {
+    return BothTabs{numbers.next_edge()};
+  }
   if (verb == "place") {
     Place place;
     place.face = numbers.next_face();
@@ -131,6 +149,9 @@ std::optional<Edit> edit_with(std::string_view verb, Numbers& numbers) {
   if (verb == "retry") {
     const FaceId face = numbers.next_face();
     return Retry{face, numbers.next<std::uint64_t>()};
+  }
+  if (verb == "number") {
+    return Number{};
   }
   if (verb == job::laid_out_anew) {
     Pack pack;

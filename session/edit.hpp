@@ -87,6 +87,22 @@ struct NoTab {
   friend bool operator==(const NoTab&, const NoTab&) = default;
 };
 
+/// The tab of this cut grows from that side, so high and with sides so steep, where there is room.
+struct TabShape {
+  Edge edge;
+  double height_mm = 5.0;
+  double degrees = 45.0;
+
+  friend bool operator==(const TabShape&, const TabShape&) = default;
+};
+
+/// This cut has a tab on both sides, where there is room.
+struct BothTabs {
+  Edge edge;
+
+  friend bool operator==(const BothTabs&, const BothTabs&) = default;
+};
+
 /// A piece, by any of its faces, is laid somewhere: the first corner of this face comes to lie at a point of
 /// the page, and the side from there to the second corner runs in a direction. So a place means the same
 /// whatever was done before. Faces and their corners are those of the second frame of the FOLD file.
@@ -127,10 +143,17 @@ struct Pack {
   friend bool operator==(const Pack&, const Pack&) = default;
 };
 
-using Edit = std::variant<Cut, Join, TabFrom, NoTab, Place, Pin, Unpin, Retry, Pack>;
+/// Pieces are named and joins numbered as if nothing had been done by hand. Other edits change neither but of
+/// what they change.
+struct Number {
+  friend bool operator==(const Number&, const Number&) = default;
+};
 
-/// "cut 3 17; join 5 9; tab-from 4 8; no-tab 2 6; place 12 1 55.5 80 90; pin 12; unpin 12; retry 4 7; pack":
-/// edits of one step, in one line. Pages count from 1 there.
+using Edit =
+    std::variant<Cut, Join, TabFrom, NoTab, TabShape, BothTabs, Place, Pin, Unpin, Retry, Pack, Number>;
+
+/// "cut 3 17; join 5 9; tab-from 4 8; no-tab 2 6; tab-shape 4 8 7 60; both-tabs 2 6; place 12 1 55.5 80 90;
+/// pin 12; unpin 12; retry 4 7; pack; number": edits of one step, in one line. Pages count from 1 there.
 [[nodiscard]] std::string text_of(std::span<const Edit> edits);
 
 /// The steps of such lines. Throws Error(unreadable_input) that names the first line that isn't in form.

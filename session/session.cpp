@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -29,6 +30,9 @@ Project with_paper(Project project, Context context) {
   context.give_up.reset();
   const State& state = project.state();
   job::Result start = *project.start;
+  // The settings tell how high tabs are at most.
+  std::vector<unfold::TabAt>& at = start.options.tab_choice.at;
+  at.insert(at.end(), state.tabs.begin(), state.tabs.end());
   if (project.now.drawn.pictures) {
     start.drawn.pictures = project.now.drawn.pictures;
   }
@@ -94,12 +98,13 @@ std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edi
   return refused == nullptr ? std::nullopt : std::optional(std::move(*refused));
 }
 
-std::optional<Place> nearby_place(const Project& project, const Place& held, const Context& context) {
+std::optional<Place> nearby_place(const Project& project, const Place& held, const Context& context,
+                                  double reach_mm) {
   const State& state = project.state();
   if (!state.pages || held.face.value() >= state.nets->piece.size() || held.page > state.pages->count) {
     return std::nullopt;
   }
-  std::optional<Place> found = place_near(state, held, nearby_mm);
+  std::optional<Place> found = place_near(state, held, reach_mm);
   if (found) {
     const Edit edit = *found;
     // Pinned, or among pieces of another colour.
@@ -110,12 +115,12 @@ std::optional<Place> nearby_place(const Project& project, const Place& held, con
   return found;
 }
 
-Project undo(const Project& project, const Context& context) {
-  if (!project.can_undo()) {
+Project undo(const Project& project, const Context& context, std::size_t steps) {
+  if (!project.can_undo() || steps == 0) {
     return project;
   }
   Project back = steps_alone(project);
-  back.steps.pop_back();
+  back.steps.resize(back.steps.size() - std::min(steps, back.steps.size()));
   return with_paper(std::move(back), context);
 }
 
@@ -123,7 +128,16 @@ Repeated repeat(job::Result made, std::span<const std::vector<Edit>> steps, cons
   Repeated repeated;
   Project project = open(std::move(made));
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    if (add_step(project, steps[i], context)) {
+    std::vector<Edit> edits = steps[i];
+    std::optional<Refusal> refusal = add_step(project, edits, context);
+    if (const auto* const place = edits.size() == 1 ? std::get_if<Place>(&edits.front()) : nullptr;
+        refusal && place != nullptr) {
+      if (const auto nearby = nearby_place(project, *place, context)) {
+        edits.front() = *nearby;
+        refusal = add_step(project, edits, context);
+      }
+    }
+    if (refusal) {
       repeated.left_out.push_back(i);
     }
   }

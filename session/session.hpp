@@ -66,20 +66,22 @@ struct Repeated {
 [[nodiscard]] std::optional<Refusal> why_not(const Project& project, std::span<const Edit> edits,
                                              const Context& context);
 
-/// Where a piece can be laid that somebody holds where apply() would refuse it, turned as it is held: the
-/// nearest place on its page where it lies on the sheet and keeps its distance to the others; none within
-/// nearby_mm. Takes the time of why_not().
-[[nodiscard]] std::optional<Place> nearby_place(const Project& project, const Place& held,
-                                                const Context& context);
 /// As far as anybody would take for what they meant.
 inline constexpr double nearby_mm = 15.0;
 
-/// The project without its last step, with the bytes that it had then; as it is where there is none. Takes
-/// the time of drawing; there is nothing to draw where it comes back to the start.
-[[nodiscard]] Project undo(const Project& project, const Context& context);
+/// Where a piece can be laid that somebody holds where apply() would refuse it, turned as it is held: the
+/// nearest place on its page where it lies on the sheet and keeps its distance to the others; none within
+/// `reach_mm`. Takes the time of why_not().
+[[nodiscard]] std::optional<Place> nearby_place(const Project& project, const Place& held,
+                                                const Context& context, double reach_mm = nearby_mm);
+
+/// The project without its last steps, with the bytes that it had then; without any where it has fewer. Takes
+/// the time of drawing; there is nothing to draw where it comes back to the start, or stays.
+[[nodiscard]] Project undo(const Project& project, const Context& context, std::size_t steps = 1);
 
 /// Another job with such steps, one after the other: the same job, whose saved FOLD file has the steps in its
-/// setting `edits`, or the same model with other options. Steps that would be refused are left out. Throws as
+/// setting `edits`, or the same model with other options. Steps that would be refused are left out, but a
+/// piece without room where it was laid lies as near as it can, where that is within nearby_mm. Throws as
 /// apply(), and takes its time but for drawing, which is done once.
 [[nodiscard]] Repeated repeat(job::Result made, std::span<const std::vector<Edit>> steps,
                               const Context& context);

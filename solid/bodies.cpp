@@ -11,21 +11,16 @@
 
 #include <fmt/format.h>
 
+#include "base/boxes.hpp"
 #include "base/elementary.hpp"
 #include "base/encodings.hpp"
 #include "base/error.hpp"
 #include "base/order.hpp"
+#include "solid/cover.hpp"
 #include "solid/solid.hpp"
 
 namespace ridgecraft::solid {
 namespace {
-
-/// Volume, first and second moments about the origin.
-struct Moments {
-  double volume = 0.0;
-  Vec3 first{0.0, 0.0, 0.0};
-  std::array<double, 6> second{};  ///< xx, yy, zz, xy, xz, yz
-};
 
 void add(Moments& sum, const Body& body) {
   for (const auto& [i, j, k] : body.triangles) {
@@ -68,17 +63,22 @@ MassProperties from_moments(const Moments& m) {
   return result;
 }
 
-/// "--" ends an XML comment.
-std::string in_comment(std::string text) {
-  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) {
-    text.replace(at, 2, "- -");
-  }
-  return text;
-}
+/// Sums of closed components that differ by more than this share from the volume on rays count space twice.
+constexpr double shared_space = 0.01;
 
-std::string geometry(const std::string& file, double scale) {
-  return fmt::format("      <geometry><mesh filename=\"{}\" scale=\"{} {} {}\"/></geometry>\n",
-                     xml_escaped(file), scale, scale, scale);
+/// Whether no two components' boxes meet, so that no space can be counted twice: rays measure what is thin
+/// badly. Not asked of many components, each pair of which is looked at.
+bool are_apart(const mesh::Surface& surface) {
+  constexpr std::size_t many = 1000;
+  const std::vector<Box3> boxes = mesh::component_bounds(surface);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = 0; boxes.size() <= many && j < i; ++j) {
+      if (meet(boxes[i], boxes[j])) {
+        return false;
+      }
+    }
+  }
+  return boxes.size() <= many;
 }
 
 /// Sine of the angle at which a point is taken to lie in a triangle's plane; rounding leaves about 1e-15.
@@ -234,15 +234,31 @@ class MeanValue {
 }  // namespace
 
 MassProperties mass_properties(const Body& body) {
-  return mass_properties(std::span(&body, 1));
+  Moments sum;
+  add(sum, body);
+  return from_moments(sum);
 }
 
-MassProperties mass_properties(std::span<const Body> bodies) {
-  Moments sum;
-  for (const Body& body : bodies) {
-    add(sum, body);
+MassProperties union_properties(const std::vector<Body>& bodies, const Context& context) {
+  return from_moments(moments_on_rays(bodies, context));
+}
+
+std::optional<MassProperties> mass_properties(const mesh::Surface& surface, const Context& context) {
+  Body whole;
+  whole.points.assign(surface.points().begin(), surface.points().end());
+  for (const FaceId f : closed_faces(surface)) {
+    const auto [a, b, c] = surface.vertices(f);
+    whole.triangles.push_back({a.value(), b.value(), c.value()});
   }
-  return from_moments(sum);
+  if (whole.triangles.empty()) {
+    return std::nullopt;
+  }
+  const MassProperties exact = mass_properties(whole);
+  if (are_apart(surface)) {
+    return exact;
+  }
+  const MassProperties on_rays = from_moments(moments_on_rays(surface, context));
+  return std::fabs(exact.volume - on_rays.volume) <= shared_space * on_rays.volume ? exact : on_rays;
 }
 
 std::string write_obj(const std::vector<Body>& bodies, std::string_view comment) {
@@ -260,30 +276,6 @@ std::string write_obj(const std::vector<Body>& bodies, std::string_view comment)
     first += body.points.size();
   }
   return text;
-}
-
-std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& options) {
-  RIDGECRAFT_ASSERT(bodies.size() == options.mesh_files.size());
-  const MassProperties of_units = mass_properties(bodies);
-  const double scale = options.metres_per_unit;
-  const double mass = options.density * of_units.volume * elementary::pow(scale, 3.0);
-  const Vec3 center = scale * of_units.center;
-  const double inertia_scale = options.density * elementary::pow(scale, 5.0);
-  const auto inertia = [&](std::size_t i) { return inertia_scale * of_units.inertia[i]; };
-  std::string text =
-      fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {} -->\n<robot name=\"{}\">\n",
-                  in_comment(options.comment), xml_escaped(options.name));
-  text += fmt::format("  <link name=\"{}\">\n", xml_escaped(options.name));
-  text += fmt::format("    <inertial>\n      <origin xyz=\"{} {} {}\"/>\n      <mass value=\"{}\"/>\n",
-                      center.x, center.y, center.z, mass);
-  text += fmt::format(
-      "      <inertia ixx=\"{}\" ixy=\"{}\" ixz=\"{}\" iyy=\"{}\" iyz=\"{}\" izz=\"{}\"/>\n    </inertial>\n",
-      inertia(0), inertia(3), inertia(4), inertia(1), inertia(5), inertia(2));
-  text += "    <visual>\n" + geometry(options.visual_file, scale) + "    </visual>\n";
-  for (const std::string& file : options.mesh_files) {
-    text += "    <collision>\n" + geometry(file, scale) + "    </collision>\n";
-  }
-  return text + "  </link>\n</robot>\n";
 }
 
 void require_closed(const std::string& file, const solid::Body& cage) {

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <map>
-#include <optional>
-#include <set>
 #include <tuple>
 #include <utility>
 
+#include <CGAL/Convex_hull_traits_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
@@ -59,78 +56,134 @@ std::vector<Vec3> missing_directions(std::span<const Vec3> points) {
   return {(1.0 / length(n)) * n};
 }
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Index = std::uint32_t;
-using Triangle = std::array<Index, 3>;
 
 Point at(const Body& body, Index i) {
   const Vec3 p = body.points[i];
   return {p.x, p.y, p.z};
 }
 
-Index opposite(const Triangle& t, Index a, Index b) {
-  return *std::find_if(t.begin(), t.end(), [&](Index v) { return v != a && v != b; });
+/// Work on large hulls asks after so many steps whether to go on.
+constexpr std::size_t between_checks = 4096;
+
+/// CGAL makes a plane for each triangle of a hull that it tries: there it can be stopped.
+class PatientTraits : public CGAL::Convex_hull_traits_3<Kernel, HullMesh> {
+ public:
+  explicit PatientTraits(const Context& context) : context_(&context) {}
+  Construct_plane_3 construct_plane_3_object() const {
+    if (++planes_ % between_checks == 0) {
+      context_->check();
+    }
+    return {};
+  }
+
+ private:
+  const Context* context_;
+  mutable std::size_t planes_ = 0;
+};
+
+/// Sides of triangles: side 3 f + k runs from corner k of triangle f to the next one.
+Index from(const Body& hull, Index side) {
+  return hull.triangles[side / 3][side % 3];
+}
+Index to(const Body& hull, Index side) {
+  return hull.triangles[side / 3][(side + 1) % 3];
 }
 
-/// Number of the flat side that each triangle lies in.
-std::vector<Index> sides_of(const Body& hull, const std::map<std::pair<Index, Index>, Index>& left_of) {
-  std::vector<bool> flat;  // without area, so that it lies in many planes
+/// For each side the one that runs back along it. O(n log n).
+std::vector<Index> twins_of(const Body& hull) {
+  std::vector<std::tuple<Index, Index, Index>> sides;
+  for (Index s = 0; s < 3 * hull.triangles.size(); ++s) {
+    const auto [low, high] = std::minmax({from(hull, s), to(hull, s)});
+    sides.emplace_back(low, high, s);
+  }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Index> twin(sides.size());
+  for (std::size_t i = 0; i + 1 < sides.size(); i += 2) {
+    twin[std::get<2>(sides[i])] = std::get<2>(sides[i + 1]);
+    twin[std::get<2>(sides[i + 1])] = std::get<2>(sides[i]);
+  }
+  return twin;
+}
+
+/// Number of the flat face of the hull that each triangle lies in.
+std::vector<Index> flat_faces_of(const Body& hull, const std::vector<Index>& twin, const Context& context) {
+  std::vector<bool> thin;  // without area, so that it lies in many planes
   for (const auto& [a, b, c] : hull.triangles) {
-    flat.push_back(CGAL::collinear(at(hull, a), at(hull, b), at(hull, c)));
+    thin.push_back(CGAL::collinear(at(hull, a), at(hull, b), at(hull, c)));
   }
   DisjointSets sets(hull.triangles.size());
-  for (const auto& [edge, f] : left_of) {
-    const auto [a, b] = edge;
-    const Index g = left_of.at({b, a});
-    if (!flat[f] && !flat[g] &&
-        CGAL::coplanar(at(hull, a), at(hull, b), at(hull, opposite(hull.triangles[f], a, b)),
-                       at(hull, opposite(hull.triangles[g], a, b)))) {
+  for (Index s = 0; s < twin.size(); ++s) {
+    if (s % between_checks == 0) {
+      context.check();
+    }
+    const Index f = s / 3;
+    const Index g = twin[s] / 3;
+    if (s < twin[s] && !thin[f] && !thin[g] &&
+        CGAL::coplanar(at(hull, hull.triangles[f][0]), at(hull, hull.triangles[f][1]),
+                       at(hull, hull.triangles[f][2]), at(hull, hull.triangles[g][(twin[s] + 2) % 3]))) {
       sets.join(f, g);
     }
   }
-  // A triangle without area goes to the side beyond its longest edge.
+  // A triangle without area goes to the face beyond its longest edge.
   for (Index f = 0; f < hull.triangles.size(); ++f) {
-    if (flat[f]) {
-      const Triangle& t = hull.triangles[f];
-      const auto size = [&](std::size_t k) {
-        return length(hull.points[t[(k + 1) % 3]] - hull.points[t[k]]);
+    if (thin[f]) {
+      const auto size = [&](Index k) {
+        return length(hull.points[to(hull, 3 * f + k)] - hull.points[from(hull, 3 * f + k)]);
       };
-      const std::size_t longest = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
-      sets.join(f, left_of.at({t[(longest + 1) % 3], t[longest]}));
+      const Index longest = size(0) >= size(1) && size(0) >= size(2) ? 0 : size(1) >= size(2) ? 1 : 2;
+      sets.join(f, twin[3 * f + longest] / 3);
     }
   }
-  std::vector<Index> side;
+  std::vector<Index> face;
   for (Index f = 0; f < hull.triangles.size(); ++f) {
-    side.push_back(sets.find(f));
+    face.push_back(sets.find(f));
   }
-  return side;
+  return face;
 }
 
-/// The corners around each side, from the least one.
-std::vector<std::vector<Index>> loops_of(const Body& hull, const std::vector<bool>& is_corner,
-                                         const std::map<std::pair<Index, Index>, Index>& left_of,
-                                         const std::vector<Index>& side) {
-  std::map<std::pair<Index, Index>, Index> next;  // by side and point
-  for (const auto& [edge, f] : left_of) {
-    if (side[f] != side[left_of.at({edge.second, edge.first})]) {
-      next[{side[f], edge.first}] = edge.second;
+/// Whether three flat faces or more meet at each point: two meet in an edge.
+std::vector<bool> corners_of(const Body& hull, const std::vector<Index>& face) {
+  std::vector<std::array<Index, 2>> seen(hull.points.size(), {no_index, no_index});
+  std::vector<bool> is_corner(hull.points.size(), false);
+  for (Index s = 0; s < 3 * hull.triangles.size(); ++s) {
+    auto& [one, other] = seen[from(hull, s)];
+    const Index f = face[s / 3];
+    if (one == no_index) {
+      one = f;
+    } else if (other == no_index && f != one) {
+      other = f;
+    } else if (f != one && f != other) {
+      is_corner[from(hull, s)] = true;
     }
   }
+  return is_corner;
+}
+
+/// The corners around each flat face.
+std::vector<std::vector<Index>> loops_of(const Body& hull, const std::vector<bool>& is_corner,
+                                         const std::vector<Index>& twin, const std::vector<Index>& face) {
+  std::vector<std::tuple<Index, Index, Index>> next;  // by face and point
+  for (Index s = 0; s < twin.size(); ++s) {
+    if (face[s / 3] != face[twin[s] / 3]) {
+      next.emplace_back(face[s / 3], from(hull, s), to(hull, s));
+    }
+  }
+  std::sort(next.begin(), next.end());
   std::vector<std::vector<Index>> loops;
   Index done = no_index;
-  for (const auto& entry : next) {
-    const auto [s, start] = entry.first;
-    if (s == done) {
+  for (const auto& [f, start, second] : next) {
+    if (f == done) {
       continue;
     }
-    done = s;
+    done = f;
     std::vector<Index> loop;
     Index v = start;
     for (std::size_t steps = 0; steps < hull.points.size() && (steps == 0 || v != start); ++steps) {
       if (is_corner[v]) {
         loop.push_back(v);
       }
-      v = next.at({s, v});
+      v = std::get<2>(*std::lower_bound(next.begin(), next.end(), std::tuple(f, v, Index{0})));
     }
     loops.push_back(std::move(loop));
   }
@@ -139,7 +192,7 @@ std::vector<std::vector<Index>> loops_of(const Body& hull, const std::vector<boo
 
 }  // namespace
 
-Body convex_hull(std::span<const Vec3> points, double thickness) {
+Body convex_hull(std::span<const Vec3> points, double thickness, const Context& context) {
   RIDGECRAFT_ASSERT(!points.empty());
   std::vector<Point> input;
   for (const Vec3 p : points) {
@@ -154,8 +207,8 @@ Body convex_hull(std::span<const Vec3> points, double thickness) {
     }
   }
   HullMesh mesh;
-  CGAL::convex_hull_3(input.begin(), input.end(), mesh);
-  return canonical_hull(body_of(mesh));
+  CGAL::convex_hull_3(input.begin(), input.end(), mesh, PatientTraits(context));
+  return canonical_hull(body_of(mesh), context);
 }
 
 bool encloses(const Body& convex, std::span<const Vec3> points) {
@@ -167,39 +220,30 @@ bool encloses(const Body& convex, std::span<const Vec3> points) {
   });
 }
 
-void grow_until_enclosing(Body& convex, std::span<const Vec3> points) {
+void grow_until_enclosing(Body& convex, std::span<const Vec3> points, const Context& context) {
   Vec3 middle{0.0, 0.0, 0.0};
   for (const Vec3 p : convex.points) {
     middle = middle + (1.0 / static_cast<double>(convex.points.size())) * p;
   }
   for (double growth = 1e-14; !encloses(convex, points); growth *= 4.0) {
+    context.check();
     RIDGECRAFT_ASSERT(growth < 0.1);
     for (Vec3& p : convex.points) {
       p = middle + (1.0 + growth) * (p - middle);
     }
     // Rounded corners may leave the faces of a polytope; the hull of what they are now is convex again.
-    convex = convex_hull(convex.points, 0.0);
+    convex = convex_hull(convex.points, 0.0, context);
   }
 }
 
-Body canonical_hull(const Body& hull) {
-  std::map<std::pair<Index, Index>, Index> left_of;
-  for (Index f = 0; f < hull.triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      left_of[{hull.triangles[f][k], hull.triangles[f][(k + 1) % 3]}] = f;
-    }
-  }
-  const std::vector<Index> side = sides_of(hull, left_of);
-  std::vector<std::set<Index>> sides_at(hull.points.size());
-  for (const auto& [edge, f] : left_of) {
-    sides_at[edge.first].insert(side[f]);
-  }
+Body canonical_hull(const Body& hull, const Context& context) {
+  const std::vector<Index> twin = twins_of(hull);
+  const std::vector<Index> face = flat_faces_of(hull, twin, context);
+  const std::vector<bool> is_corner = corners_of(hull, face);
+  context.check();
   std::vector<Index> corners;
-  std::vector<bool> is_corner;
   for (Index v = 0; v < hull.points.size(); ++v) {
-    // Two sides meet in an edge, three in a corner.
-    is_corner.push_back(sides_at[v].size() >= 3);
-    if (is_corner.back()) {
+    if (is_corner[v]) {
       corners.push_back(v);
     }
   }
@@ -214,7 +258,8 @@ Body canonical_hull(const Body& hull) {
     number[v] = static_cast<Index>(result.points.size());
     result.points.push_back(hull.points[v]);
   }
-  for (std::vector<Index>& loop : loops_of(hull, is_corner, left_of, side)) {
+  context.check();
+  for (std::vector<Index>& loop : loops_of(hull, is_corner, twin, face)) {
     for (Index& v : loop) {
       v = number[v];
     }
@@ -223,6 +268,7 @@ Body canonical_hull(const Body& hull) {
       result.triangles.push_back({loop[0], loop[i], loop[i + 1]});
     }
   }
+  context.check();
   std::sort(result.triangles.begin(), result.triangles.end());
   return result;
 }

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
@@ -39,6 +40,8 @@ std::vector<Vec3> part_points(const mesh::Surface& surface, const segment::Part&
 
 /// A corner nearer to the hull than this share of its size isn't worth a plane.
 constexpr double near_enough = 1e-6;
+/// Each round adds a point for each side that has any beyond it: about ten are enough.
+constexpr unsigned most_rounds = 64;
 
 /// Points with dot(normal, p) <= offset.
 struct HalfSpace {
@@ -194,6 +197,7 @@ Polytope clipped_to(const Body& hull, Polytope body, std::size_t max_vertices, c
     for (const Vec3 corner : body.points) {
       const auto [at, fresh] = nearest.try_emplace({corner.x, corner.y, corner.z});
       if (fresh) {
+        context.check();
         at->second = nearest_on(hull, corner);
       }
       const Vec3 away = corner - at->second;
@@ -239,8 +243,7 @@ std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmen
   for (const segment::Part& part : parts.parts) {
     context.check();
     const std::vector<Vec3> points = part_points(surface, part);
-    Body hull = convex_hull(points, thickness);
-    grow_until_enclosing(hull, points);
+    Body hull = convex_hull(points, thickness, context);
     if (options.max_vertices != 0 && hull.points.size() > options.max_vertices) {
       hull = enclosing_polytope(hull, options.max_vertices, context);
     }
@@ -249,15 +252,58 @@ std::vector<Body> part_hulls(const mesh::Surface& surface, const segment::Segmen
   return bodies;
 }
 
+Body nearly_convex_hull(std::span<const Vec3> points, double tolerance, double thickness,
+                        const Context& context) {
+  const auto [low_x, high_x] = std::minmax_element(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  });
+  std::vector<Vec3> chosen{*low_x, *high_x};
+  std::vector<Vec3> open(points.begin(), points.end());
+  for (unsigned round = 0; round < most_rounds; ++round) {
+    context.check();
+    Body hull = convex_hull(chosen, thickness, context);
+    std::vector<HalfSpace> sides;
+    for (const auto& t : hull.triangles) {
+      const Vec3 normal = normalized(doubled_area(hull, t));
+      sides.push_back({normal, dot(normal, hull.points[t[0]])});
+    }
+    std::vector<std::pair<double, Vec3>> farthest(sides.size(), {tolerance, {}});
+    std::erase_if(open, [&](Vec3 p) {
+      std::size_t best = 0;
+      double distance = -std::numeric_limits<double>::infinity();
+      for (std::size_t i = 0; i < sides.size(); ++i) {
+        const double d = dot(sides[i].normal, p) - sides[i].offset;
+        if (d > distance) {
+          distance = d;
+          best = i;
+        }
+      }
+      if (distance > farthest[best].first) {
+        farthest[best] = {distance, p};
+      }
+      return distance <= tolerance;
+    });
+    if (open.empty()) {
+      return hull;
+    }
+    for (const auto& [distance, p] : farthest) {
+      if (distance > tolerance) {
+        chosen.push_back(p);
+      }
+    }
+  }
+  return convex_hull(points, thickness, context);
+}
+
 Body enclosing_polytope(const Body& hull, std::size_t max_vertices, const Context& context) {
   RIDGECRAFT_ASSERT(max_vertices >= 8);
   Body best;
   double least = std::numeric_limits<double>::infinity();
   // With few planes the box is what counts, with many either may lead to the better ones.
-  for (const Box& box : {box_along_axes(hull), smallest_box(hull)}) {
+  for (const Box& box : {box_along_axes(hull), smallest_box(hull, context)}) {
     const Polytope body = clipped_to(hull, polytope_of(box), max_vertices, context);
-    Body candidate = convex_hull(body.points, near_enough * length(box.along.size()));
-    grow_until_enclosing(candidate, hull.points);
+    Body candidate = convex_hull(body.points, near_enough * length(box.along.size()), context);
+    grow_until_enclosing(candidate, hull.points, context);
     if (const double volume = mass_properties(candidate).volume; volume < least) {
       least = volume;
       best = std::move(candidate);
@@ -282,7 +328,7 @@ Box box_along_axes(const Body& hull) {
   return box_along({Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 1.0, 0.0}, Vec3{0.0, 0.0, 1.0}}, hull);
 }
 
-Box smallest_box(const Body& hull) {
+Box smallest_box(const Body& hull, const Context& context) {
   Box best = box_along_axes(hull);
   std::vector<std::size_t> order(hull.triangles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -295,6 +341,7 @@ Box smallest_box(const Body& hull) {
       order.begin(), order.begin() + static_cast<std::ptrdiff_t>(sides), order.end(),
       [&](std::size_t a, std::size_t b) { return area[a] != area[b] ? area[a] > area[b] : a < b; });
   for (std::size_t i = 0; i < sides; ++i) {
+    context.check();
     const auto& t = hull.triangles[order[i]];
     const Vec3 normal = normalized(doubled_area(hull, t));
     for (std::size_t k = 0; k < 3; ++k) {

@@ -15,15 +15,21 @@
 namespace ridgecraft::solid {
 
 /// The convex hull of points: its corners are some of them, so nothing is rounded. Points without volume are
-/// given `thickness` first, to both sides. At least one point. O(n log n).
-[[nodiscard]] Body convex_hull(std::span<const Vec3> points, double thickness);
+/// given `thickness` first, to both sides. At least one point. It encloses them all: signs are exact.
+/// O(n log n). Throws Error(interrupted) and Error(out_of_time).
+[[nodiscard]] Body convex_hull(std::span<const Vec3> points, double thickness, const Context& context = {});
+
+/// The hull of some of the points, chosen so that no other lies farther outside than `tolerance`. O(points *
+/// triangles).
+[[nodiscard]] Body nearly_convex_hull(std::span<const Vec3> points, double tolerance, double thickness,
+                                      const Context& context);
 
 /// True when no point lies outside a convex body, by exact predicates. O(points * triangles).
 [[nodiscard]] bool encloses(const Body& convex, std::span<const Vec3> points);
 
 /// Grows a convex body about its middle by a few units in the last place, again and again, until it encloses
 /// the points. Rounding is what it mends; the caller sees to it that it nearly encloses them before.
-void grow_until_enclosing(Body& convex, std::span<const Vec3> points);
+void grow_until_enclosing(Body& convex, std::span<const Vec3> points, const Context& context);
 
 /// A CGAL::Surface_mesh of triangles without removed elements: its points and triangles in their order. O(n).
 template <class SurfaceMesh>
@@ -49,7 +55,7 @@ template <class SurfaceMesh>
 /// from its first corner: what it is, whatever order its points were given in and wherever in memory they
 /// lay (CGAL's hulls depend on both). Points within sides and edges go. Sides are told apart by exact
 /// predicates. `hull`: convex, closed, of triangles that turn outwards. O(n log n).
-[[nodiscard]] Body canonical_hull(const Body& hull);
+[[nodiscard]] Body canonical_hull(const Body& hull, const Context& context);
 
 /// A convex body that encloses `hull` and has at most `max_vertices` (at least 8) vertices. It begins as a
 /// box, and each further plane touches the hull where it is nearest to the body's farthest corner; of two
@@ -73,6 +79,6 @@ struct Box {
 /// and of those along the coordinate axes. (The smallest of all needn't touch a whole side of the hull:
 /// O'Rourke, "Finding minimal enclosing boxes", International Journal of Computer and Information Sciences
 /// 14, 1985.) `hull`: at least one point. O(n) for n points.
-[[nodiscard]] Box smallest_box(const Body& hull);
+[[nodiscard]] Box smallest_box(const Body& hull, const Context& context);
 
 }  // namespace ridgecraft::solid

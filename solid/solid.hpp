@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,14 +39,44 @@ struct MassProperties {
 
 /// By signed tetrahedra from the origin. O(n).
 [[nodiscard]] MassProperties mass_properties(const Body& body);
-/// Of several bodies as if they shared no space.
-[[nodiscard]] MassProperties mass_properties(std::span<const Body> bodies);
+/// Of the union of convex bodies, on rays: within a few thousandths.
+[[nodiscard]] MassProperties union_properties(const std::vector<Body>& bodies, const Context& context);
 
-/// How large a hull may be.
+/// Of what the closed components of a surface enclose, in its unit: exact where they share no space, else on
+/// rays. None where none is closed.
+[[nodiscard]] std::optional<MassProperties> mass_properties(const mesh::Surface& surface,
+                                                            const Context& context);
+
+/// Hulls leave no larger share of a solid uncovered.
+inline constexpr double most_uncovered = 1e-3;
+
+/// How many and how large hulls may be: physics engines have limits.
 struct HullOptions {
-  /// No hull has more vertices (physics engines have limits); at least 8. 0: as many as it takes.
+  /// No hull has more vertices; at least 8. 0: as many as it takes.
   std::size_t max_vertices = 0;
+  /// There are no more hulls: the ones whose joint hull adds least volume are joined. 0: as many as it takes.
+  std::size_t max_hulls = 0;
 };
+
+/// How well hulls stand for the solid that the closed components of a model enclose, measured on rays.
+struct Fit {
+  double solid_volume = 0.0;  ///< 0 where no component is closed: nothing is known then
+  double union_volume = 0.0;  ///< of all hulls
+  double uncovered = 0.0;     ///< share of the solid in no hull
+};
+
+/// A model's hulls, and what is known of them together.
+struct HullSet {
+  std::vector<Body> bodies;
+  Fit fit;
+  std::size_t filling = 0;  ///< bodies that were added for what parts' hulls leave uncovered
+};
+
+/// Hulls for a model: those of its parts, and more where these leave more than `most_uncovered` of what it
+/// encloses in none (parts are sets of faces: the walls of a box may be parts by themselves). Everything
+/// that the parts' hulls hold is in them, whatever the limits.
+[[nodiscard]] HullSet model_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
+                                  const HullOptions& options, const Context& context);
 
 /// One convex body per part, in the parts' order, that encloses every point of the part, also as rounded
 /// doubles. Up to max_vertices it is the part's convex hull, else a polytope around that, of planes that
@@ -104,18 +135,44 @@ void require_closed(const std::string& file, const solid::Body& cage);
 /// becomes the first line.
 [[nodiscard]] std::string write_obj(const std::vector<Body>& bodies, std::string_view comment);
 
-/// URDF: one link named `name` with a collision element per body, whose meshes are `mesh_files` (one per
-/// body, convex; paths as the reader of the URDF resolves them), and a visual element `visual_file`. Lengths
-/// of the meshes are multiplied by `metres_per_unit`; mass and inertia are those of the bodies at `density`
-/// kg/m^3, as if they shared no space.
-struct UrdfOptions {
+/// What a description of a rigid body says in addition to its shape. Paths are as the reader of the
+/// description resolves them; lengths of the meshes are multiplied by `metres_per_unit`.
+struct RigidBody {
   std::string name;
   std::string comment;
   std::string visual_file;
-  std::vector<std::string> mesh_files;
+  std::vector<std::string> mesh_files;  ///< convex, one for each collision element
   double metres_per_unit = 0.001;
-  double density = 1000.0;
+  double density = 1000.0;  ///< kg/m^3
+  MassProperties mass;      ///< of the solid, at density 1, in the meshes' unit
 };
-[[nodiscard]] std::string write_urdf(const std::vector<Body>& bodies, const UrdfOptions& options);
+
+// Descriptions that name mesh files: a visual one, and one a hull.
+
+/// URDF (ROS): a link.
+[[nodiscard]] std::string write_urdf(const RigidBody& body);
+/// MJCF (MuJoCo): a body with a free joint. MuJoCo takes the hull of each mesh, which is what the mesh is.
+[[nodiscard]] std::string write_mjcf(const RigidBody& body);
+/// SDFormat 1.9 (Gazebo): a model with a link.
+[[nodiscard]] std::string write_sdf(const RigidBody& body);
+
+// Files that hold the meshes: the names of mesh files don't count.
+
+/// USD as text with UsdPhysics (Isaac Sim, Newton): a rigid body, a mesh to be seen, and a guide mesh a hull
+/// that stands for itself as a convex hull. Lengths are the meshes'; the stage says how many metres they are.
+[[nodiscard]] std::string write_usd(const RigidBody& body, const Body& visual,
+                                    const std::vector<Body>& hulls);
+/// GLB with KHR_physics_rigid_bodies: a node that moves, a mesh to be seen, and a collider a hull, whose mesh
+/// no scene shows. Metres, as glTF has them, in single precision.
+[[nodiscard]] std::string write_glb(const RigidBody& body, const Body& visual,
+                                    const std::vector<Body>& hulls);
+
+/// Principal moments of inertia, ascending, and the rotation from their axes to the body's: w, x, y, z.
+struct PrincipalInertia {
+  std::array<double, 3> moments{};
+  std::array<double, 4> rotation{1.0, 0.0, 0.0, 0.0};
+};
+/// `inertia`: xx, yy, zz, xy, xz, yz.
+[[nodiscard]] PrincipalInertia principal_inertia(const std::array<double, 6>& inertia);
 
 }  // namespace ridgecraft::solid

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "prepare/prepared/prepared.hpp"
+#include "unfold/net/chains.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -164,36 +165,48 @@ IdVector<EdgeId, EdgeId> numbers_kept(const UnfoldProblem& whole, const OneOfEac
 
 }  // namespace
 
-MirrorImages mirror_images_of(const UnfoldProblem& whole, const OneOfEach& each) {
+Symmetry symmetry_of(const UnfoldProblem& whole, const OneOfEach& each, const Context& context) {
   const Weights& weights = whole.options.pieces.weights;
-  const IdVector<EdgeId, EdgeId> number = numbers_kept(whole, each);
-  MirrorImages result;
-  result.edge = IdVector<EdgeId, EdgeId>(each.kept.edge.size());
-  bool any = false;
-  const auto put = [&](EdgeId e, EdgeId image) {
-    result.edge[e] = image;
-    any = any || image.valid();
-  };
-  if (const MirrorImages images = mirror_images(whole.surface, weights); !images.edge.empty()) {
-    result.plane = images.plane;
-    for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
-      const EdgeId image = images.edge[each.kept.edge[e]];
-      put(e, image.valid() ? number[image] : EdgeId());
-    }
+  const std::size_t edges = each.kept.edge.size();
+  Symmetry result;
+  for (const double weight : {1.0, 0.5, 0.5}) {
+    result.images.push_back({IdVector<EdgeId, EdgeId>(edges), weight});
   }
+  // Where `to` says that an edge of a surface is in the kept one.
+  const auto put = [&](const Symmetry& symmetry, const IdVector<EdgeId, EdgeId>& to) {
+    const std::size_t first = symmetry.plane ? 0 : 1;
+    for (std::size_t i = 0; i < symmetry.images.size(); ++i) {
+      for (const EdgeId e : ids<EdgeId>(to.size())) {
+        const EdgeId image = symmetry.images[i].edge[e];
+        if (to[e].valid()) {
+          result.images[first + i].edge[to[e]] = image.valid() ? to[image] : EdgeId();
+        }
+      }
+    }
+  };
+  const Symmetry of_whole = find_symmetry(whole.surface, weights, context);
+  result.plane = of_whole.plane;
+  put(of_whole, numbers_kept(whole, each));
   std::set<FaceId> done;  // first faces of bodies
   for (const CopiedBody& copy : each.copies) {
     if (!done.insert(copy.from.front()).second) {
       continue;
     }
     const prepare::PartOf body = prepare::part_of(each.kept.surface, copy.from);
-    const IdVector<EdgeId, EdgeId> images = mirror_images(body.surface, weights).edge;
-    for (const EdgeId e : ids<EdgeId>(body.edge.size())) {
-      const EdgeId image = images.empty() ? EdgeId() : images[e];
-      put(body.edge[e], image.valid() ? body.edge[image] : EdgeId());
+    IdVector<EdgeId, std::uint8_t> own(edges, 0);
+    for (const EdgeId e : body.edge) {
+      own[e] = 1;
     }
+    for (EdgeImages& images : result.images) {
+      for (const EdgeId e : ids<EdgeId>(edges)) {
+        if (own[e] != 0 || (images.edge[e].valid() && own[images.edge[e]] != 0)) {
+          images.edge[e] = EdgeId();
+        }
+      }
+    }
+    put(find_symmetry(body.surface, weights, context), body.edge);
   }
-  return any ? result : MirrorImages();
+  return result;
 }
 
 namespace {

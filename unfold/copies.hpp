@@ -8,7 +8,7 @@
 #include "base/id.hpp"
 #include "prepare/symmetry/mirrors.hpp"
 #include "unfold/net/nets.hpp"
-#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/symmetry.hpp"
 #include "unfold/plan.hpp"
 
 namespace ridgecraft::unfold {
@@ -36,9 +36,9 @@ struct OneOfEach {
 /// Nothing where there are none. O(n log n).
 [[nodiscard]] std::optional<OneOfEach> one_of_each(const UnfoldProblem& whole);
 
-/// mirror_images for the surface without copies: at the plane of the whole surface, and in bodies that there
-/// are copies of at their own; the plane is that of the whole surface.
-[[nodiscard]] MirrorImages mirror_images_of(const UnfoldProblem& whole, const OneOfEach& each);
+/// find_symmetry for the surface without copies: that of the whole surface, and in bodies with copies their
+/// own, each in the place of the same kind. The plane is that of the whole surface.
+[[nodiscard]] Symmetry symmetry_of(const UnfoldProblem& whole, const OneOfEach& each, const Context& context);
 
 /// The nets of the whole surface, once those of one of each kind are finished (holes and folding too, and
 /// tabs where they are wanted). A copy has its pieces with all that is on them, mirrored where it is. O(n log

@@ -92,12 +92,11 @@ Room room_of(const Options& options) {
 }
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
-void settle(const UnfoldProblem& problem, const Context& context, Plan& plan) {
+void settle(const UnfoldProblem& problem, const Symmetry& symmetry, const Context& context, Plan& plan) {
   EdgeConstraints constraints = problem.options.constraints;
   const PieceRules& rules = problem.options.pieces;
   if (rules.mode != PieceMode::few) {
-    constraints = with_bands_kept(problem.surface, plan.whole, problem.options.labels.items(), constraints,
-                                  rules.weights);
+    constraints = with_bands_kept({problem.surface, plan.whole, problem.part, problem.options}, symmetry);
   }
   // Where it costs nothing that a piece has faces of several parts, the search begins without them.
   plan.group =
@@ -127,11 +126,11 @@ void refuse_large_faces(const UnfoldProblem& problem) {
   }
 }
 
-Plan make_plan(const UnfoldProblem& problem, const Context& context) {
+Plan make_plan(const UnfoldProblem& problem, const Symmetry& symmetry, const Context& context) {
   Plan plan;
   plan.room = room_of(problem.options);
   plan.whole = fitting_panels(problem.surface, problem.panels, plan.room, context, plan.notes);
-  settle(problem, context, plan);
+  settle(problem, symmetry, context, plan);
   return plan;
 }
 

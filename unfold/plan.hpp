@@ -15,6 +15,7 @@
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/problem.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -34,7 +35,7 @@ struct Plan {
 void refuse_large_faces(const UnfoldProblem& problem);
 
 /// O(n) but for regions that have to be divided and constraints. Throws Error(interrupted).
-[[nodiscard]] Plan make_plan(const UnfoldProblem& problem, const Context& context);
+[[nodiscard]] Plan make_plan(const UnfoldProblem& problem, const Symmetry& symmetry, const Context& context);
 
 /// The whole surface as one patch: its face i is face i of the surface, and what searches keep whole is
 /// frozen. O(n log n).

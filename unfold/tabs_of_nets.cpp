@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "unfold/copies.hpp"
+#include "unfold/net/chains.hpp"
 #include "unfold/net/equal_pieces.hpp"
 #include "unfold/net/nets.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/tabs/place/fit.hpp"
-#include "unfold/tabs/place/missing_tabs.hpp"
+#include "unfold/tabs/place/more_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/place/sites.hpp"
 #include "unfold/tabs/place/slot_tabs.hpp"

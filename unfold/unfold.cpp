@@ -21,8 +21,8 @@
 #include "unfold/pieces/best_pieces.hpp"
 #include "unfold/pieces/closing.hpp"
 #include "unfold/pieces/foldable_trees.hpp"
-#include "unfold/pieces/mirror_images.hpp"
 #include "unfold/pieces/start_nets.hpp"
+#include "unfold/pieces/symmetry.hpp"
 #include "unfold/plan.hpp"
 #include "unfold/reasons.hpp"
 #include "unfold/requested_splits.hpp"
@@ -111,15 +111,16 @@ class Unfolding {
         options_(with_prices(each_ ? each_->options : whole.options)),
         asked_(each_ ? UnfoldProblem{each_->kept.surface, each_->panels, each_->part, options_}
                      : UnfoldProblem{whole.surface, whole.panels, whole.part, options_}),
-        plan_(make_plan(asked_, context)),
+        symmetry_(each_ ? symmetry_of(whole_, *each_, context)
+                        : find_symmetry(whole_.surface, whole_.options.pieces.weights, context)),
+        plan_(make_plan(asked_, symmetry_, context)),
         patch_(whole_patch(asked_, plan_)),
         problem_{asked_.surface, plan_.whole, patch_, asked_.part.items(), asked_.options, plan_.room} {}
 
   Nets run() {
     folds_ = start_forest(asked_, plan_, context_);
-    find_mirror_images();
-    folds_ = best_pieces(problem_, folds_, images_.edge, context_);
-    folds_ = foldable_trees(problem_, folds_, images_.edge, context_);
+    folds_ = best_pieces(problem_, folds_, symmetry_.images, context_);
+    folds_ = foldable_trees(problem_, folds_, symmetry_.images, context_);
     split_for_requests();
     Nets nets = finished_nets();
     describe(nets);
@@ -127,13 +128,6 @@ class Unfolding {
   }
 
  private:
-  void find_mirror_images() {
-    if (!context_.out_of_time()) {
-      images_ = each_ ? mirror_images_of(whole_, *each_)
-                      : mirror_images(whole_.surface, whole_.options.pieces.weights);
-    }
-  }
-
   void split_for_requests() {
     in_time_for_nets_ = !context_.out_of_time();
     if (asked_.options.tabs.on_all_edges()) {
@@ -184,12 +178,12 @@ class Unfolding {
   const std::optional<OneOfEach> each_;  ///< where bodies are equal
   const Options options_;                ///< with the prices that follow from what is asked
   const UnfoldProblem asked_;            ///< without the copies of equal bodies
+  const Symmetry symmetry_;
   const Plan plan_;
   const Patch patch_;
   const NetProblem problem_;
 
   Folds folds_;
-  MirrorImages images_;
   bool in_time_for_nets_ = true;
   bool in_time_for_tabs_ = true;
 };

@@ -30,7 +30,7 @@ endfunction()
 # Headers alone. The folder of the system's headers as a whole would put those of its C library before emscripten's.
 set(headers ${made}/include)
 file(MAKE_DIRECTORY ${headers})
-foreach(library IN ITEMS boost CGAL fmt CLI nlohmann eigen3/Eigen)
+foreach(library IN ITEMS boost CGAL fmt CLI nlohmann stb eigen3/Eigen)
   get_filename_component(name ${library} NAME)
   if(NOT EXISTS /usr/include/${library})
     message(FATAL_ERROR "There is no /usr/include/${library}: cmake/packages.txt lists the packages to install")

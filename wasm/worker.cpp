@@ -114,7 +114,12 @@ void make(const std::vector<std::string>& words) {
     }
   }
   MakeResult result = about(job.model, [&] {
-    return make_pages(job, context, [](const job::Remark& remark) { report_note(message(remark)); });
+    return make_pages(job, context, [&](const job::Remark& remark) {
+      if (const auto refusal = too_many_pages(remark, job.most_pages)) {
+        throw Error(ErrorKind::usage, *refusal);
+      }
+      report_note(message(remark));
+    });
   });
   for (const Message& line : repair_lines(result.made.prepared.model.repairs, result.made.skin.united > 0)) {
     report_note(line);
@@ -185,7 +190,7 @@ void apply(const std::string& line) {
   }
 }
 
-void preview(const std::string& line) {
+void preview(const std::string& line, double reach_mm) {
   Project& now = present();
   const std::vector<session::Edit> edits = one_step(line);
   const Context context = context_of(now.job);
@@ -193,16 +198,17 @@ void preview(const std::string& line) {
   if (const auto refusal = session::why_not(by_hand(now), edits, context)) {
     result = refusal_json(*refusal);
     const auto* const place = edits.size() == 1 ? std::get_if<session::Place>(&edits.front()) : nullptr;
-    if (const auto nearby = place ? session::nearby_place(by_hand(now), *place, context) : std::nullopt) {
+    if (const auto nearby =
+            place ? session::nearby_place(by_hand(now), *place, context, reach_mm) : std::nullopt) {
       result["instead"] = {nearby->at.x, nearby->at.y};
     }
   }
   answer = result.dump();
 }
 
-void undo() {
+void undo(std::size_t steps) {
   Project& now = present();
-  take(now, session::undo(by_hand(now), context_of(now.job)), nlohmann::json::object());
+  take(now, session::undo(by_hand(now), context_of(now.job), steps), nlohmann::json::object());
 }
 
 void repeat(const std::string& lines) {
@@ -234,6 +240,16 @@ void plan(const std::string& name) {
   answer = names.dump();
 }
 
+/// Of the files that were planned last, which hold all pages, only these, from 1.
+void only(const std::string& numbers) {
+  std::vector<export_::Drawing>& drawings = files.value().sheets.drawings;
+  std::vector<export_::Drawing> wanted;
+  for (const std::size_t number : nlohmann::json::parse(numbers).get<std::vector<std::size_t>>()) {
+    wanted.push_back(drawings.at(number - 1));
+  }
+  drawings = std::move(wanted);
+}
+
 }  // namespace
 }  // namespace ridgecraft::cli
 
@@ -254,14 +270,14 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_apply(const char* line) {
 }
 
 /// Whether that would be refused; nothing changes. Where one piece can't be laid there, "instead" is where it
-/// can be laid nearby.
-EMSCRIPTEN_KEEPALIVE int ridgecraft_preview(const char* line) {
-  return cli::guarded([&] { cli::preview(line); });
+/// can be laid, within so many mm.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_preview(const char* line, double reach_mm) {
+  return cli::guarded([&] { cli::preview(line, reach_mm); });
 }
 
-/// Takes the last step back; an answer as of a step that was done.
-EMSCRIPTEN_KEEPALIVE int ridgecraft_undo() {
-  return cli::guarded([] { cli::undo(); });
+/// Takes so many steps back, or none; an answer as of a step that was done.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_undo(int steps) {
+  return cli::guarded([&] { cli::undo(static_cast<std::size_t>(steps)); });
 }
 
 /// Does such steps, one a line, from the start on; "left_out" lists those that can't be done.
@@ -273,6 +289,11 @@ EMSCRIPTEN_KEEPALIVE int ridgecraft_repeat(const char* lines) {
 /// "whale.svg". Results as above.
 EMSCRIPTEN_KEEPALIVE int ridgecraft_plan(const char* name) {
   return cli::guarded([&] { cli::plan(name); });
+}
+
+/// Leaves only these pages in a file that holds all: a JSON list of numbers, from 1.
+EMSCRIPTEN_KEEPALIVE int ridgecraft_only(const char* numbers) {
+  return cli::guarded([&] { cli::only(numbers); });
 }
 
 /// The bytes of the i-th of these files.

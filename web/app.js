@@ -16,7 +16,7 @@ import {Scene} from "./scene.js";
 import {Selection} from "./selection.js";
 import {Plan} from "./sheets.js";
 import {listenStage} from "./stage.js";
-import {reader, say, sayCount} from "./words.js";
+import {languages, reader, say, sayCount} from "./words.js";
 
 /** @typedef {import("./backend.js").Backend} Backend */
 /** @typedef {import("./backend.js").State} State */
@@ -26,6 +26,30 @@ import {reader, say, sayCount} from "./words.js";
 const mostPixels = 16e6;
 
 const blank = byId("app").cloneNode(true);
+
+/**
+ * Makes an element as a fresh one is, apart from what is to be kept in it, which isn't moved.
+ * @param {Element} element
+ * @param {Element} fresh
+ * @param {Element[]} kept
+ */
+function renew(element, fresh, kept) {
+  if (kept.includes(element)) {
+    return;
+  }
+  if (!kept.some((one) => element.contains(one))) {
+    element.replaceWith(fresh);
+    return;
+  }
+  for (const {name} of [...element.attributes]) {
+    element.removeAttribute(name);
+  }
+  for (const {name, value} of fresh.attributes) {
+    element.setAttribute(name, value);
+  }
+  const others = [...fresh.children];
+  [...element.children].forEach((child, k) => (others[k] ? renew(child, others[k], kept) : child.remove()));
+}
 
 /**
  * How a result is looked at.
@@ -48,13 +72,15 @@ export class App {
    * @param {State} state
    * @param {View | null} [view] of the result before, to go on with
    * @param {(spot: Spot | null) => void} [onChoose] called with what is chosen by hand
+   * @param {(edge: number) => string} [legend] of keys for the edge under the pointer
    */
-  constructor(backend, state, view = null, onChoose = () => {}) {
+  constructor(backend, state, view = null, onChoose = () => {}, legend = () => "") {
     /** Ends what listens outside of the page's own elements. */
     this.ending = new AbortController();
     const {signal} = this.ending;
     this.backend = backend;
     this.onChoose = onChoose;
+    this.legend = legend;
     this.nets = readNets(state.fold);
     this.folding = new Folding(this.nets);
     this.selection = new Selection(this.nets);
@@ -68,7 +94,7 @@ export class App {
       visit: (spot) => this.visit(spot),
       pieceWords: (index) => pieceLabel(this.nets, index),
       edgeWords: (edge) => edgeLabel(this.nets, edge),
-    });
+    }, signal);
     this.guide = new Guide(byId("guide"), byId("numbers"), this.scene, {
       changed: () => this.stepChanged(),
       point: (joins) => {
@@ -88,6 +114,7 @@ export class App {
     if (view) {
       this.#goOn(view);
       this.motion.waiting = this.drawer.painted && view.painted && !this.scene.simple;
+      this.motion.drawLate();
     }
     if (this.drawer.painted) {
       this.#paint();
@@ -155,15 +182,15 @@ export class App {
   }
 
   /**
-   * Lets go of the page, so that another App can have it: its elements are new ones then, except the canvas, for a new one
-   * would take a second where there is no graphics card, and browsers give a page sixteen at most.
+   * Lets go of the page, so that another App can have it: its elements are new ones then, except two. A new canvas would take
+   * a second where there is no graphics card, and browsers give a page sixteen at most; of the sheets most stay as they are.
    */
   stop() {
     this.ending.abort();
     this.motion.playing = 0;
     this.motion.turning = null;
-    byId("app").replaceWith(blank.cloneNode(true));
-    byId("stage").replaceWith(this.scene.canvas);
+    document.body.classList.remove("builds");
+    renew(byId("app"), /** @type {HTMLElement} */ (blank.cloneNode(true)), [this.scene.canvas, this.plan.svg]);
   }
 
   /** The graphics card has forgotten what it had. */
@@ -191,7 +218,7 @@ export class App {
 
   sayEverything() {
     sayAll();
-    sayFacts(this.nets);
+    sayFacts(this.nets, this.drawer.count);
     sayCheck(this.folding.refoldError);
     this.plan.say();
     this.guide.show();
@@ -282,6 +309,7 @@ export class App {
       scene.looks = nets.pieces.map((piece) => (pieces.size === 0 || pieces.has(piece.index) ? "plain" : "faded"));
     }
     scene.marked = new Set(edges);
+    byId("foot").dataset.keys = spot && spot.edge >= 0 ? this.legend(spot.edge) : "";
     const text = spot ? (spot.edge >= 0 ? edgeLabel(nets, spot.edge) : pieceLabel(nets, spot.piece))
       : scene.simple ? say("no_webgl") : say(matchMedia("(hover:none)").matches ? "tip_touch" : "tip");
     byId("foot").textContent = text;
@@ -313,6 +341,7 @@ export class App {
     guide.open = open;
     motion.playing = 0;
     byId("app").classList.toggle("building", open);
+    document.body.classList.toggle("builds", open);
     this.#sayBuild();
     selection.clear();
     this.onChoose(null);
@@ -348,10 +377,10 @@ export class App {
         reader.inches = !reader.inches;
         this.sayEverything();
       }},
-      {text: say("language"), act: () => {
-        reader.language = reader.language === "de" ? "en" : "de";
+      ...[...languages].filter(([code]) => code !== reader.language).map(([code, {name}]) => ({text: name, act: () => {
+        reader.language = code;
         this.sayEverything();
-      }},
+      }})),
       {text: say("all_keys"), key: "?", rule: true, act: () => showKeys(this.drawer.painted)},
     ];
   }

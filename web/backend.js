@@ -10,19 +10,20 @@ import {unpackedText} from "./packed.js";
  * @property {Record<string, string | boolean>} options
  * @property {string} fold the nets: text of a FOLD file
  * @property {string} sheets what else stands on the pages: text of the second document (docs/design/viewer.md)
- * @property {{text: string, about?: {piece?: number, edge?: number, face?: number}}[]} notes
+ * @property {{text: string, code?: string, about?: {piece?: number, edge?: number, face?: number}}[]} notes
  * @property {Record<string, unknown>} figures
  * @property {boolean} canUndo
  * @property {boolean} canRedo
  * @property {boolean} busy
  * @property {number[]} pinned a face of the model of each piece that is pinned
+ * @property {string[]} left steps by hand that aren't possible with these options, in the words of session/edit.hpp
  *
  * An edge by its two model vertices, in the order in which the face has them that a tab is to grow from; a piece by one of its
  * faces of the model. A place: where the face's first corner lies on the page (from 1), mm from its lower left corner, and in
  * which direction the second one lies from there.
- * @typedef {{kind: "cut"|"join"|"tab-from"|"no-tab", edge: number[]} | {kind: "place", face: number, page: number, at: number[],
+ * @typedef {{kind: "cut"|"join"|"tab-from"|"no-tab"|"both-tabs", edge: number[]} | {kind: "tab-shape", edge: number[], height: number, degrees: number} | {kind: "place", face: number, page: number, at: number[],
  *   degrees: number} | {kind: "pin"|"unpin", face: number} | {kind: "retry", face: number, seed: number} | {kind: "pack",
- *   faces: number[]}} Edit
+ *   faces: number[]} | {kind: "number"}} Edit
  *
  * @typedef {object} Capabilities
  * @property {boolean} edit
@@ -36,7 +37,7 @@ import {unpackedText} from "./packed.js";
  * @property {(edits: Edit[]) => Promise<State>} apply all of them, or none
  * @property {() => Promise<State>} undo
  * @property {() => Promise<State>} redo
- * @property {(edits: Edit[]) => Promise<{ok: boolean, why?: string, faces?: number[], instead?: number[]}>} preview would they be refused, and which
+ * @property {(edits: Edit[], reach?: number) => Promise<{ok: boolean, code?: string, why?: string, faces?: number[], instead?: number[]}>} preview would they be refused, and which
  *   faces of the model are to be looked at
  * @property {(format: string) => Promise<Uint8Array>} export
  * @property {() => void} cancel
@@ -62,7 +63,7 @@ export async function staticBackend(page) {
   const refuse = () => Promise.reject(new NotEditable());
   return {
     state: () => ({revision: 0, options: {}, fold, sheets, notes: [], figures: {},
-      canUndo: false, canRedo: false, busy: false, pinned: []}),
+      canUndo: false, canRedo: false, busy: false, pinned: [], left: []}),
     capabilities: () => ({edit: false, export: ["fold"],
       version: page.querySelector("meta[name=generator]")?.getAttribute("content") ?? ""}),
     open: refuse,

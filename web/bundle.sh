@@ -9,13 +9,24 @@ web=$(cd "$(dirname "$0")" && pwd)
 kind=$1
 out=$2
 case $kind in
-  result) entry=start.js style=page.css other=studio ;;
-  studio) entry=start_studio.js style=studio.css other=result ;;
+  result) start=start.js style=page.css other=studio ;;
+  studio) start=start_studio.js style=studio.css other=result ;;
 esac
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-esbuild "$web/$entry" --bundle --minify --charset=utf8 --format=iife --target=es2022 --log-level=warning --outfile="$work/script"
+# A page with one result has its languages in the script, as far as it speaks them; the studio's are packed beside it.
+entry="$work/entry.js"
+if [ "$kind" = result ]; then
+  for file in "$web"/languages/*.json; do
+    code=$(basename "$file" .json)
+    echo "import {addLanguage} from '$web/words.js'; import {name, page, seams} from '$file'; addLanguage('$code', {name, page, seams});" >"$work/$code.js"
+    echo "import './$code.js';" >>"$entry"
+  done
+fi
+echo "import '$web/$start';" >>"$entry"
+
+esbuild "$entry" --bundle --minify --charset=utf8 --format=iife --target=es2022 --log-level=warning --outfile="$work/script"
 esbuild "$web/$style" --bundle --minify --charset=utf8 --log-level=warning --outfile="$work/style"
 
 # As a content security policy names what stands between two tags: a line break and the file.

@@ -2,6 +2,7 @@
 // Building step by step: what to cut out, fold and glue, what is done already, and where pieces are meanwhile.
 
 import {smooth} from "./folding.js";
+import {countSeams} from "./nets.js";
 import {say, sayAngle, sayCount, sayList, sayNumber} from "./words.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -108,7 +109,7 @@ export class Guide {
     return chip;
   }
 
-  /** Joins by number, each once: straight seams share one. @param {number[]} joins */
+  /** Joins by number, each once: those of a chain share one. @param {number[]} joins */
   #numberList(joins) {
     const list = htmlElement("span", {class: "number-list"});
     /** @type {Map<number, number[]>} */
@@ -150,11 +151,11 @@ export class Guide {
         htmlElement("span", {class: "quiet"}, [folds > 0 ? ` ${sayCount("folds", folds)}` : ""]), this.foldLine]),
     ]);
     if (own.length > 0) {
-      todo.append(htmlElement("li", {"data-part": "glue"}, [htmlElement("strong", {}, [say("step_glue_own", {joins: sayCount("joins", own.length)})]), this.#numberList(own)]));
+      todo.append(htmlElement("li", {"data-part": "glue"}, [htmlElement("strong", {}, [say("step_glue_own", {seams: sayCount("seams", countSeams(nets, own))})]), this.#numberList(own)]));
     }
     if (others.length > 0) {
       const to = partners.length > 0 ? partners : pieces;
-      todo.append(htmlElement("li", {"data-part": "glue"}, [htmlElement("strong", {}, [say("step_glue", {joins: sayCount("joins", others.length),
+      todo.append(htmlElement("li", {"data-part": "glue"}, [htmlElement("strong", {}, [say("step_glue", {seams: sayCount("seams", countSeams(nets, others)),
         names: sayList(to.map((p) => nets.pieces[p].name))})]), this.#numberList(others)]));
     }
     const box = htmlElement("input", {type: "checkbox", id: "tick"});
@@ -324,7 +325,12 @@ export class Guide {
     /** Where labels are already: those that would cover them are left out. @type {number[][]} */
     const places = [];
     if (this.open && this.at >= 0.75 * stepFoldShare) {
-      for (const j of this.current.joins.slice(0, 80)) {
+      // Each number once on either side: in the middle of its chain.
+      const middles = this.current.joins.filter((j) => {
+        const chain = nets.chains[nets.joins[j].chain];
+        return chain[chain.length >> 1] === j;
+      });
+      for (const j of middles.slice(0, 80)) {
         for (const e of nets.joins[j].edges) {
           const [p, q] = scene.edgeEnds(e);
           const middle = p.map((value, k) => 0.5 * (value + q[k]));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What pieces and edges are called in the line at the foot, and for readers who can't see them.
 
+import {countSeams} from "./nets.js";
 import {say, sayAngle, sayCount, sayLength, sayList, sayMessage} from "./words.js";
 
 /** @typedef {import("./nets.js").Nets} Nets */
@@ -13,7 +14,7 @@ export function pieceLabel(nets, index) {
     .map((p) => (p === index ? say("itself") : nets.pieces[p].name));
   return say("piece_line", {name: piece.name, page: say("page", {page: piece.page + 1}), faces: sayCount("faces", piece.faces.length),
     folds: sayCount("folds", piece.folds),
-    glued: partners.length > 0 ? say("glued", {names: sayList(partners), joins: sayCount("joins", piece.joins.length)}) : ""});
+    glued: partners.length > 0 ? say("glued", {names: sayList(partners), seams: sayCount("seams", countSeams(nets, piece.joins))}) : ""});
 }
 
 /** @param {Nets} nets @param {number} e */
@@ -24,7 +25,9 @@ export function edgeLabel(nets, e) {
   if (edge.join >= 0) {
     const join = nets.joins[edge.join];
     const [a, b] = join.pieces.map((p) => nets.pieces[p].name);
-    return say("join_line", {number: join.number, a, b, length, tab: join.tab < 0 ? say("no_tab", {why: sayMessage({code: `no_tab_${join.why}`, values: {}, text: join.why})})
+    const whole = nets.chains[join.chain].reduce((sum, j) => sum + nets.edges[nets.joins[j].edges[0]].length, 0);
+    const long = nets.chains[join.chain].length > 1 ? say("length_of", {length, whole: sayLength(whole)}) : length;
+    return say("join_line", {number: join.number, a, b, length: long, tab: join.tab < 0 ? say("no_tab", {why: sayMessage({code: `no_tab_${join.why}`, values: {}, text: join.why})})
       : say("tab_on", {name: nets.pieces[nets.tabs[join.tab].piece].name})});
   }
   return edge.kind === "B" ? say("border_line", {length, name})

@@ -35,6 +35,8 @@ export class Motion {
     this.posed = false;
     /** Whether the picture from before stays until the pages' pictures are there. */
     this.waiting = false;
+    /** Whether what else has changed on the page is to be seen first. */
+    this.late = false;
     this.frames = {first: 0, script: 0, last: 0};
     /** Goes on until it gives false. @type {((now: number) => boolean) | null} */
     this.turning = null;
@@ -46,6 +48,15 @@ export class Motion {
       this.requested = true;
       requestAnimationFrame((now) => this.frame(now));
     }
+  }
+
+  /** Draws once the page has been: without a graphics card the model takes several times as long as the sheets. */
+  drawLate() {
+    this.late = true;
+    requestAnimationFrame(() => setTimeout(() => {
+      this.late = false;
+      this.request();
+    }));
   }
 
   /** Something has moved. */
@@ -94,7 +105,7 @@ export class Motion {
       this.#pose();
       this.posed = true;
     }
-    if (!this.waiting) {
+    if (!this.waiting && !this.late) {
       this.scene.draw();
     }
     this.guide.label();

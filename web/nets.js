@@ -37,6 +37,7 @@
  * @property {number} tab or -1
  * @property {string} why there is no tab: the end of a message's code
  * @property {number} step of the assembly in which it is closed
+ * @property {number} chain
  *
  * @typedef {object} Tab
  * @property {number} edge
@@ -62,6 +63,7 @@
  * @property {Edge[]} edges
  * @property {Piece[]} pieces
  * @property {Join[]} joins
+ * @property {number[][]} chains joins that are glued edge by edge, in a row; they have one number
  * @property {Tab[]} tabs
  * @property {Page[]} pages with nets
  * @property {Step[]} steps
@@ -183,7 +185,14 @@ export function readNets(text) {
     for (const piece of new Set(of)) {
       pieces[/** @type {number} */ (piece)].joins.push(j);
     }
-    return {number: record.number, edges: record.edges, pieces: of, tab: record.tab ?? -1, why: record.why ?? "", step: 0};
+    return {number: record.number, edges: record.edges, pieces: of, tab: record.tab ?? -1, why: record.why ?? "", step: 0, chain: -1};
+  });
+  /** @type {number[][]} */
+  const chains = (fold["ridgecraft:chains"] ?? joins.map((_, j) => ({joins: [j]}))).map((/** @type {any} */ record) => record.joins);
+  chains.forEach((chain, i) => {
+    for (const j of chain) {
+      joins[j].chain = i;
+    }
   });
   /** @type {Tab[]} */
   const tabs = [...fold["ridgecraft:tabs"], ...(fold["ridgecraft:more_tabs"] ?? [])].map((/** @type {any} */ record, /** @type {number} */ t) => {
@@ -219,10 +228,13 @@ export function readNets(text) {
   return {
     title: fold.file_title ?? "", digest: fold["ridgecraft:model_digest"] ?? "", creator: fold.file_creator ?? "",
     up: fold["ridgecraft:up"] ?? "y", hiddenAngle: (fold["ridgecraft:settings"]?.hide_folds_deg ?? 3) * degree, points,
-    faces, faceEdges, facePiece, edges, pieces, joins, tabs, pages, steps: readSteps(fold, pieces, edges, joins),
+    faces, faceEdges, facePiece, edges, pieces, joins, chains, tabs, pages, steps: readSteps(fold, pieces, edges, joins),
     modelPoints, modelFaces, modelFace, size: high.map((value, k) => value - low[k]),
   };
 }
+
+/** How many numbers these joins have. @param {Nets} nets @param {number[]} joins */
+export const countSeams = (nets, joins) => new Set(joins.map((j) => nets.joins[j].number)).size;
 
 /**
  * Whether a line is drawn there: cuts, and folds that are not too small.
@@ -246,30 +258,20 @@ export function modelEnds(nets, e) {
 }
 
 /**
- * The face of a piece where a point of the plane of all nets lies, or -1. O(faces of the page).
+ * The face of a piece where a point of the plane of all nets lies, or -1. O(faces of the piece).
  * @param {Nets} nets
- * @param {number} page
+ * @param {number} index
  * @param {number} x
  * @param {number} y
  */
-export function faceAt(nets, page, x, y) {
-  const {points, faces} = nets;
-  for (const p of nets.pages[page].pieces) {
-    const piece = nets.pieces[p];
-    if (x < piece.box[0] || x > piece.box[2] || y < piece.box[1] || y > piece.box[3]) {
-      continue;
-    }
-    for (const f of piece.faces) {
-      let inside = true;
-      for (let k = 0; k < 3 && inside; ++k) {
-        const a = 2 * faces[3 * f + k];
-        const b = 2 * faces[3 * f + (k + 1) % 3];
-        inside = (points[b] - points[a]) * (y - points[a + 1]) - (points[b + 1] - points[a + 1]) * (x - points[a]) >= 0;
-      }
-      if (inside) {
-        return f;
-      }
-    }
+export function faceOfPieceAt({points, faces, pieces}, index, x, y) {
+  const {box, faces: own} = pieces[index];
+  if (x < box[0] || x > box[2] || y < box[1] || y > box[3]) {
+    return -1;
   }
-  return -1;
+  return own.find((f) => [0, 1, 2].every((k) => {
+    const a = 2 * faces[3 * f + k];
+    const b = 2 * faces[3 * f + (k + 1) % 3];
+    return (points[b] - points[a]) * (y - points[a + 1]) - (points[b + 1] - points[a + 1]) * (x - points[a]) >= 0;
+  })) ?? -1;
 }

@@ -54,3 +54,16 @@ export function optionsOf(words) {
   }
   return {options, rest};
 }
+
+/** Options in the address of the page: #o=--size%3D20cm%0A--paper%3DA3 @param {string} hash */
+export function optionsIn(hash) {
+  const words = new URLSearchParams(hash.slice(1)).get("o");
+  return words ? optionsOf(words.split("\n")).options : {};
+}
+
+/** The same, the other way. @param {Record<string, string | boolean>} options */
+export function hashOf(options) {
+  const words = wordsOf(options);
+  const joined = words.reduce((/** @type {string[]} */ all, word, i) => (word.startsWith("--") || i === 0 ? [...all, word] : [...all.slice(0, -1), `${all.at(-1)}=${word}`]), []);
+  return `#o=${encodeURIComponent(joined.join("\n"))}`;
+}

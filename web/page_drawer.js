@@ -48,6 +48,9 @@ function short(value) {
   return Math.round(value * 1000) / 1000;
 }
 
+/** Of what cuts pictures out, on all pages that there have been. */
+let clips = 0;
+
 /** Draws pages: all that is on paper, in mm from the left upper corner of the sheet. */
 export class PageDrawer {
   /**
@@ -60,8 +63,9 @@ export class PageDrawer {
     this.folding = folding;
     this.sheets = sheets;
     this.pieceByGroup = new Map(nets.pieces.map((piece) => [`piece-${piece.name}`, piece.index]));
+    /** What the second document says of each piece. @type {Map<number, Group | undefined>} */
+    this.groupOf = new Map(nets.pieces.map(({index, name, page}) => [index, sheets.pages[page]?.groups.find(({id}) => id === `piece-${name}`)]));
     this.painted = sheets.pages.some((page) => page.groups.some((group) => group.images || group.fills || group.ground));
-    this.clips = 0;
   }
 
   /** How many pages there are, those with lists of numbers included. */
@@ -165,7 +169,7 @@ export class PageDrawer {
   #paint(parent, p, group) {
     const height = this.size(p)[1];
     for (const [place, jpeg, clip] of group.images ?? []) {
-      const id = `clip-${++this.clips}`;
+      const id = `clip-${++clips}`;
       svgElement("path", {d: clip.map((polygon) => this.#writtenPath(p, polygon, true)).join("")},
         svgElement("clipPath", {id}, parent));
       svgElement("image", {x: place[0], y: short(height - place[3]), width: short(place[2] - place[0]),
@@ -217,19 +221,26 @@ export class PageDrawer {
   }
 
   /**
-   * A piece as it lies on its page.
-   * @param {Element} parent
+   * What is to be drawn of a piece. Two that look alike are alike as JSON.
    * @param {number} index
    * @param {boolean} tinted in the piece's own colour, as on the screen
    */
-  piece(parent, index, tinted) {
+  look(index, tinted) {
     const piece = this.nets.pieces[index];
-    const group = this.sheets.pages[piece.page]?.groups.find((candidate) => this.pieceByGroup.get(candidate.id) === index);
-    const lines = this.outlines(index);
     const tint = piece.colour.map((value) => Math.round(0.55 * value + 0.45 * 255));
-    svgElement("path", {class: "faces", fill: tinted && !this.painted ? `rgb(${tint})` : "#fff", d: lines.faces}, parent);
+    return {page: piece.page, size: this.size(piece.page), painted: this.painted, fill: tinted && !this.painted ? `rgb(${tint})` : "#fff",
+      lines: this.outlines(index), group: this.groupOf.get(index)};
+  }
+
+  /**
+   * A piece as it lies on its page.
+   * @param {Element} parent
+   * @param {ReturnType<PageDrawer["look"]>} look
+   */
+  piece(parent, {page, fill, lines, group}) {
+    svgElement("path", {class: "faces", fill, d: lines.faces}, parent);
     if (group) {
-      this.#paint(parent, piece.page, group);
+      this.#paint(parent, page, group);
     }
     svgElement("path", {class: "tabs", d: lines.tabs}, parent);
     if (this.painted) {
@@ -241,17 +252,13 @@ export class PageDrawer {
       }
     }
     if (group) {
-      this.marks(parent, piece.page, group);
+      this.marks(parent, page, group);
     }
   }
 
-  /** All that belongs to no piece. @param {Element} parent @param {number} p */
-  furniture(parent, p) {
-    for (const group of this.sheets.pages[p]?.groups ?? []) {
-      if (!this.pieceByGroup.has(group.id)) {
-        this.marks(parent, p, group);
-      }
-    }
+  /** What belongs to no piece of a page. @param {number} p */
+  furniture(p) {
+    return (this.sheets.pages[p]?.groups ?? []).filter(({id}) => !this.pieceByGroup.has(id));
   }
 
   /** A page for the printer, in true size. @param {number} p */
@@ -260,9 +267,9 @@ export class PageDrawer {
     const svg = svgElement("svg", {class: "plan", width: `${width}mm`, height: `${height}mm`, viewBox: `0 0 ${width} ${height}`});
     this.ground(svg, p);
     for (const index of this.nets.pages[p]?.pieces ?? []) {
-      this.piece(svgElement("g", {}, svg), index, false);
+      this.piece(svgElement("g", {}, svg), this.look(index, false));
     }
-    this.furniture(svg, p);
+    this.furniture(p).forEach((group) => this.marks(svg, p, group));
     return svg;
   }
 

@@ -2,7 +2,7 @@
 // What stands around the two views: title, menu, the line at the foot, the list of keys.
 
 import {htmlElement} from "./guide.js";
-import {reader, say, sayCount, sayLength} from "./words.js";
+import {reader, say, sayCount, sayLength, shortName} from "./words.js";
 
 /** @typedef {import("./nets.js").Nets} Nets */
 
@@ -34,15 +34,18 @@ export function sayAll() {
     element.setAttribute("aria-label", text);
     if (element.matches("button")) {
       element.setAttribute("title", text);
+    } else if (element.matches("input[type=search]")) {
+      element.setAttribute("placeholder", text);
     }
   }
 }
 
-/** @param {Nets} nets */
-export function sayFacts(nets) {
-  byId("title").textContent = nets.title;
+/** @param {Nets} nets @param {number} pages with those of lists */
+export function sayFacts(nets, pages) {
+  byId("title").textContent = shortName(nets.title);
+  byId("title").title = nets.title;
   byId("facts").textContent = say("facts", {faces: sayCount("faces", nets.facePiece.length), pieces: sayCount("pieces", nets.pieces.length),
-    pages: sayCount("pages", nets.pages.length), size: sayLength(Math.max(...nets.size), 0)});
+    pages: sayCount("pages", pages), size: sayLength(Math.max(...nets.size), 0)});
 }
 
 /** Whether the nets, folded here, are the model: a thousandth of a millimetre is. @param {number} error mm */
@@ -125,12 +128,11 @@ export class Menu {
 /** Shows all keys. @param {boolean} painted whether the model has colours of its own */
 export function showKeys(painted) {
   const dialog = /** @type {HTMLDialogElement} */ (byId("keys"));
-  const spoken = reader.language === "de" ? {space: "Leertaste", home: "Pos1", tab: "Tab", escape: "Esc", arrows: "Umschalt ← → ↑ ↓"}
-    : {space: "Space", home: "Home", tab: "Tab", escape: "Esc", arrows: "Shift ← → ↑ ↓"};
+  const spoken = {space: say("key_name_space"), home: say("key_name_home"), tab: say("key_name_tab"), escape: say("key_name_escape"), arrows: `${say("key_name_shift")} ← → ↑ ↓`};
   const rows = [[spoken.space, "key_space"], ["B", "key_build"], ["← →", "key_steps"], ["D", "key_done"], [spoken.home, "key_home"],
     ["F", "key_f"], ["X", "key_x"], ...(painted ? [["T", "key_t"]] : []), [spoken.tab, "key_tab"], [spoken.escape, "key_escape"],
     ["Ctrl+P", "key_print"], ...(document.getElementById("undo") ? [["Ctrl+Z", "key_undo"], [spoken.arrows, "key_move"], ["R", "key_turn"], ["L", "key_pin"],
-      ["N", "key_retry"], ["P", "key_pack"]] : []), ["?", "key_help"]];
+      ["N", "key_retry"], ["P", "key_pack"], ["C J T X", "key_edge"], ["Ctrl+A", "key_all"], ["Ctrl+S", "save_project_title"]] : []), ["?", "key_help"]];
   const close = htmlElement("button", {type: "button", class: "strong"}, [say("close")]);
   close.addEventListener("click", () => dialog.close());
   dialog.setAttribute("aria-label", say("all_keys"));

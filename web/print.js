@@ -2,6 +2,7 @@
 // Printing from the browser: the sheets in true size, and the guide with a picture of each step.
 
 import {htmlElement} from "./guide.js";
+import {countSeams} from "./nets.js";
 import {say, sayCount, sayList, sayNumber} from "./words.js";
 
 /** @typedef {import("./guide.js").Guide} Guide */
@@ -23,6 +24,8 @@ export class Printer {
     this.drawer = drawer;
     this.guide = guide;
     this.filled = false;
+    /** Why the sheets can't be printed as they are shown; nothing where they can. */
+    this.whyNot = () => "";
     globalThis.addEventListener("beforeprint", () => this.filled || this.#fillSheets(), {signal: ended});
     globalThis.addEventListener("afterprint", () => {
       this.place.replaceChildren();
@@ -43,7 +46,10 @@ export class Printer {
   #fillSheets() {
     const {drawer, place} = this;
     this.#setPage(drawer.size(0));
-    place.replaceChildren();
+    place.replaceChildren(this.whyNot());
+    if (this.whyNot() !== "") {
+      return;
+    }
     for (let p = 0; p < drawer.count; ++p) {
       const [width, height] = drawer.size(p);
       const page = htmlElement("div", {class: "printed"}, [drawer.printed(p)]);
@@ -66,7 +72,7 @@ export class Printer {
     const names = (/** @type {number[]} */ pieces) => sayList(pieces.map((p) => nets.pieces[p].name));
     const cover = htmlElement("div", {class: "guide-page cover"}, [
       htmlElement("div", {}, [htmlElement("h1", {}, [say("guide_title", {title: nets.title})]),
-        htmlElement("p", {class: "quiet"}, [sayList([sayCount("pieces", nets.pieces.length), sayCount("pages", nets.pages.length), sayCount("joins", nets.joins.length)])])]),
+        htmlElement("p", {class: "quiet"}, [sayList([sayCount("pieces", nets.pieces.length), sayCount("pages", nets.pages.length), sayCount("seams", countSeams(nets, nets.joins.map((_, j) => j)))])])]),
       picture(guide.picture(-1)),
       htmlElement("div", {}, nets.pages.map((page, p) => htmlElement("p", {}, [say("on_page", {page: say("page", {page: p + 1}), names: names(page.pieces)})]))),
     ]);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sheets: pages in a grid that can be moved and zoomed, and what is under the pointer.
 
-import {faceAt, hasLine} from "./nets.js";
+import {movedPlace, placeNow, placeOfPiece} from "./desk.js";
+import {faceOfPieceAt, hasLine} from "./nets.js";
 import {svgElement} from "./page_drawer.js";
 import {segmentDistance} from "./scene.js";
 
@@ -18,15 +19,28 @@ import {segmentDistance} from "./scene.js";
  * @property {(edge: number) => string} edgeWords
  */
 
+/**
+ * From where a piece lies to where it is shown, and back: points on the grid of pages.
+ * @typedef {{transform: string, there: (point: number[]) => number[], back: (point: number[]) => number[]}} Motion
+ *
+ * What is drawn, and how it looks. Browsers lay out what is new alone, so what looks as before stays where it is.
+ * @typedef {{group: SVGGElement, sheet: SVGRectElement, ground: SVGGElement, furniture: SVGGElement, said: string, pieces: Map<string, SVGGElement>}} DrawnPage
+ */
+
+/** The pages that there are in an element. @type {WeakMap<SVGSVGElement, {group: SVGGElement, pages: DrawnPage[]}>} */
+const drawn = new WeakMap();
+
 /** All pages side by side, that can be moved, zoomed and pointed at. */
 export class Plan {
   /**
    * @param {SVGSVGElement} svg
    * @param {PageDrawer} drawer
    * @param {PlanListener} listener
+   * @param {AbortSignal} ended when the element shows other sheets
    */
-  constructor(svg, drawer, listener) {
+  constructor(svg, drawer, listener, ended) {
     this.svg = svg;
+    this.ended = ended;
     this.drawer = drawer;
     this.nets = drawer.nets;
     this.listener = listener;
@@ -38,44 +52,139 @@ export class Plan {
     this.pieces = [];
     /** What of a piece lies below the others. @type {SVGElement[]} */
     this.grounds = [];
+    /** Pieces that are shown elsewhere than the program has them. @type {Map<number, Motion>} */
+    this.loose = new Map();
+    /** Where they are shown. @type {Map<number, import("./desk.js").Place>} */
+    this.places = new Map();
     /** @type {number[]} */
     this.edges = [];
     /** Where pieces may be moved. @type {import("./drag.js").PieceDrag | null} */
     this.drag = null;
     /** The cell of the grid behind the last page, while pieces are dragged. @type {SVGRectElement | null} */
     this.newPage = null;
-    this.pagesGroup = svgElement("g", {}, svg);
+    const before = drawn.get(svg);
+    this.pagesGroup = before?.group ?? svgElement("g", {}, svg);
+    [...svg.children].forEach((child) => child !== this.pagesGroup && child.remove());
+    svg.classList.remove("dimmed", "dragging");
     this.marks = svgElement("g", {class: "marks"}, svg);
-    this.#draw();
-    this.#listen();
+    this.#draw(before?.pages ?? []);
+    this.#listen(ended);
     this.resize();
   }
 
-  #draw() {
+  /** @param {DrawnPage[]} before */
+  #draw(before) {
     const {drawer, nets} = this;
-    /** @type {SVGGElement[]} */
-    this.pageGroups = [];
-    for (let p = 0; p < drawer.count; ++p) {
+    before.splice(drawer.count).forEach(({group}) => group.remove());
+    const pages = Array.from({length: drawer.count}, (_, p) => before[p] ?? this.#newPage());
+    drawn.set(this.svg, {group: this.pagesGroup, pages});
+    this.pageGroups = pages.map(({group}) => group);
+    inOrder(this.pageGroups, this.pagesGroup, this.pagesGroup.firstChild);
+    pages.forEach((page, p) => {
       const [width, height] = drawer.size(p);
-      const page = svgElement("g", {class: "page"}, this.pagesGroup);
-      this.pageGroups.push(page);
-      svgElement("rect", {class: "sheet", width, height}, page);
-      Object.assign(this.grounds, drawer.ground(svgElement("g", {class: "ground"}, page), p));
+      page.sheet.setAttribute("width", String(width));
+      page.sheet.setAttribute("height", String(height));
+      page.ground.replaceChildren();
+      Object.assign(this.grounds, drawer.ground(page.ground, p));
+      const known = page.pieces;
+      page.pieces = new Map();
       for (const index of nets.pages[p]?.pieces ?? []) {
-        const group = svgElement("g", {class: "piece", tabindex: 0, role: "img", "data-piece": index}, page);
-        drawer.piece(group, index, true);
+        const look = drawer.look(index, true);
+        const key = JSON.stringify(look);
+        const group = known.get(key) ?? svgElement("g", {class: "piece", tabindex: 0, role: "img"});
+        if (!known.delete(key)) {
+          drawer.piece(group, look);
+        }
+        group.setAttribute("data-piece", String(index));
+        group.removeAttribute("transform");
+        group.classList.remove("loose", "no-room");
+        page.pieces.set(key, group);
         this.pieces[index] = group;
       }
-      drawer.furniture(svgElement("g", {class: "furniture"}, page), p);
-    }
+      known.forEach((group) => group.remove());
+      inOrder([...page.pieces.values()], page.group, page.ground.nextSibling);
+      const furniture = drawer.furniture(p);
+      const said = JSON.stringify([height, furniture]);
+      if (said !== page.said) {
+        page.said = said;
+        page.furniture.replaceChildren();
+        furniture.forEach((group) => drawer.marks(page.furniture, p, group));
+      }
+    });
     this.say();
   }
 
-  /** Shows a piece elsewhere, or where it lies. @param {number} index @param {string} [transform] */
-  shift(index, transform) {
+  /** @returns {DrawnPage} */
+  #newPage() {
+    const group = svgElement("g", {class: "page"}, this.pagesGroup);
+    return {group, sheet: svgElement("rect", {class: "sheet"}, group), ground: svgElement("g", {class: "ground"}, group),
+      furniture: svgElement("g", {class: "furniture"}, group), said: "", pieces: new Map()};
+  }
+
+  /** Shows a piece elsewhere than it lies, or there. @param {number} index @param {string} [transform] */
+  shift(index, transform = "") {
+    const all = `${transform} ${this.loose.get(index)?.transform ?? ""}`.trim();
     for (const part of [this.pieces[index], this.grounds[index]]) {
-      transform ? part?.setAttribute("transform", transform) : part?.removeAttribute("transform");
+      all ? part?.setAttribute("transform", all) : part?.removeAttribute("transform");
     }
+  }
+
+  /** Shows pieces where they were left, which isn't where the program has them. @param {Map<number, import("./desk.js").Place>} places */
+  loosen(places) {
+    const before = [...this.loose.keys()];
+    this.places = places;
+    this.loose = new Map([...places].map(([index, place]) => [index, this.#motionTo(index, place)]));
+    this.pieces.forEach((group, index) => group.classList.toggle("loose", this.loose.has(index)));
+    [...before, ...this.loose.keys()].forEach((index) => this.shift(index));
+    this.#drawMarks();
+  }
+
+  /** Where a piece is shown. @param {number} index */
+  placeOf(index) {
+    return this.places.get(index) ?? placeNow(this.nets, index);
+  }
+
+  /** The same turned about its middle, and moved. @param {number} index @param {number} dx mm to the right @param {number} dy mm up
+   * @param {number} degrees counterclockwise */
+  moved(index, dx, dy, degrees) {
+    const place = this.places.get(index);
+    if (!place) {
+      return placeOfPiece(this.nets, index, dx, dy, degrees);
+    }
+    const [left, top, right, bottom] = this.pieceBox(index);
+    return movedPlace(place, this.onPage(place.page - 1, [0.5 * (left + right), 0.5 * (top + bottom)]), dx, dy, degrees);
+  }
+
+  /** From where the program has a piece to a place. @param {number} index @param {import("./desk.js").Place} place @returns {Motion} */
+  #motionTo(index, place) {
+    const own = placeNow(this.nets, index, place.face);
+    const begin = this.#onGrid(own.page - 1, own.at);
+    const end = this.#onGrid(place.page - 1, place.at);
+    const {x, y} = this.corners[own.page - 1];
+    const degrees = own.degrees - place.degrees;
+    const angle = (degrees * Math.PI) / 180;
+    const [c, s] = [Math.cos(angle), Math.sin(angle)];
+    const turned = (/** @type {number[]} */ [px, py], /** @type {number[]} */ from, /** @type {number[]} */ to, /** @type {number} */ sine) =>
+      [to[0] + c * (px - from[0]) - sine * (py - from[1]), to[1] + sine * (px - from[0]) + c * (py - from[1])];
+    return {transform: `translate(${end[0] - begin[0]} ${end[1] - begin[1]}) rotate(${degrees} ${begin[0] - x} ${begin[1] - y})`,
+      there: (point) => turned(point, begin, end, s), back: (point) => turned(point, end, begin, -s)};
+  }
+
+  /** A point of a page, mm from its lower left corner, on the grid of pages. @param {number} p @param {number[]} at */
+  #onGrid(p, [x, y]) {
+    const corner = this.cornerOf(p);
+    return [corner.x + x, corner.y + this.#height(p) - y];
+  }
+
+  /** The same the other way round. @param {number} p @param {number[]} point */
+  onPage(p, [x, y]) {
+    const corner = this.cornerOf(p);
+    return [x - corner.x, this.#height(p) - (y - corner.y)];
+  }
+
+  /** Of a page of nets; one more than there are is a new one. @param {number} p */
+  #height(p) {
+    return this.drawer.size(Math.min(p, this.nets.pages.length - 1))[1];
   }
 
   /** Names pieces for those who can't see them. */
@@ -152,6 +261,18 @@ export class Plan {
     return -1;
   }
 
+  /** The page of nets that a box on the grid of pages lies over the most, the number of pages for a new one, or -1.
+   * @param {number[]} box left, top, right, bottom */
+  pageBelow([left, top, right, bottom]) {
+    const shared = Array.from({length: this.nets.pages.length + 1}, (_, p) => {
+      const {x, y} = this.cornerOf(p);
+      const [width, height] = this.drawer.size(Math.min(p, this.nets.pages.length - 1));
+      return Math.max(0, Math.min(right, x + width) - Math.max(left, x)) * Math.max(0, Math.min(bottom, y + height) - Math.max(top, y));
+    });
+    const most = Math.max(...shared);
+    return most > 0 ? shared.indexOf(most) : -1;
+  }
+
   resize() {
     const box = this.svg.getBoundingClientRect();
     if (box.width < 2 || box.height < 2) {
@@ -160,6 +281,9 @@ export class Plan {
     const old = this.box;
     this.box = box;
     this.#arrange();
+    if (this.places.size > 0) {
+      this.loosen(this.places);
+    }
     if (this.fitted || !old) {
       this.fit();
     } else {
@@ -168,9 +292,13 @@ export class Plan {
     this.#drawMarks();
   }
 
+  /** Shows all sheets, and what lies beside them. */
   fit() {
     if (this.extent) {
-      this.#show(this.extent, 0.99);
+      const {x, y, width, height} = this.extent;
+      const boxes = [[x, y, x + width, y + height], ...[...this.loose.keys()].map((index) => this.pieceBox(index))];
+      const [left, top, right, bottom] = [0, 1, 2, 3].map((k) => Math[k < 2 ? "min" : "max"](...boxes.map((box) => box[k])));
+      this.#show({x: left, y: top, width: right - left, height: bottom - top}, 0.99);
       this.fitted = true;
     }
   }
@@ -230,13 +358,20 @@ export class Plan {
   pieceBox(index) {
     const {box, page} = this.nets.pieces[index];
     const [x, y] = this.#atPlan(page, box[0], box[3]);
-    return [x, y, x + box[2] - box[0], y + box[3] - box[1]];
+    const [right, bottom] = [x + box[2] - box[0], y + box[3] - box[1]];
+    const motion = this.loose.get(index);
+    if (!motion) {
+      return [x, y, right, bottom];
+    }
+    const corners = [[x, y], [right, y], [x, bottom], [right, bottom]].map(motion.there);
+    return [0, 1, 2, 3].map((k) => Math[k < 2 ? "min" : "max"](...corners.map((corner) => corner[k % 2])));
   }
 
   /** @param {number} e */
   #endsOnPlan(e) {
-    const {page} = this.nets.pieces[this.nets.edges[e].piece];
-    return this.drawer.ends(e).map(([x, y]) => this.#atPlan(page, x, y));
+    const {index, page} = this.nets.pieces[this.nets.edges[e].piece];
+    const there = this.loose.get(index)?.there ?? ((/** @type {number[]} */ point) => point);
+    return this.drawer.ends(e).map(([x, y]) => there(this.#atPlan(page, x, y)));
   }
 
   /** An edge as a path on the grid of pages. @param {number} e */
@@ -248,6 +383,14 @@ export class Plan {
   #edgeBox(e) {
     const [[ax, ay], [bx, by]] = this.#endsOnPlan(e);
     return [Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by)];
+  }
+
+  /** Where an edge, or a piece, is in the window: left, top, right, bottom. @param {Spot} spot */
+  clientBox({piece, edge}) {
+    const [left, top, right, bottom] = edge >= 0 ? this.#edgeBox(edge) : this.pieceBox(piece);
+    const {left: x, top: y} = this.svg.getBoundingClientRect();
+    const {view} = this;
+    return [x + (left - view.x) * view.scale, y + (top - view.y) * view.scale, x + (right - view.x) * view.scale, y + (bottom - view.y) * view.scale];
   }
 
   /** Whether a piece can be seen whole. @param {number} index */
@@ -303,18 +446,24 @@ export class Plan {
     const box = this.svg.getBoundingClientRect();
     const x = view.x + (clientX - box.left) / view.scale;
     const y = view.y + (clientY - box.top) / view.scale;
+    for (const [index, {back}] of this.loose) {
+      if (this.#faceAt(index, back([x, y])) >= 0) {
+        return {piece: index, edge: -1};
+      }
+    }
     const p = nets.pages.findIndex((page, k) => x >= this.corners[k].x && x <= this.corners[k].x + page.width &&
       y >= this.corners[k].y && y <= this.corners[k].y + page.height);
     if (p < 0) {
       return null;
     }
     const page = nets.pages[p];
+    const lying = page.pieces.filter((index) => !this.loose.has(index));
     const nx = x - this.corners[p].x + page.x;
     const ny = page.y + page.height - (y - this.corners[p].y);
     let best = reach / view.scale;
     /** @type {Spot | null} */
     let found = null;
-    for (const index of page.pieces) {
+    for (const index of lying) {
       const piece = nets.pieces[index];
       if (nx < piece.box[0] - best || nx > piece.box[2] + best || ny < piece.box[1] - best || ny > piece.box[3] + best) {
         continue;
@@ -333,7 +482,7 @@ export class Plan {
     if (found) {
       return found;
     }
-    const tab = nets.tabs.find(({piece, polygon}) => nets.pieces[piece].page === p && holdsPoint(polygon, nx, ny));
+    const tab = nets.tabs.find(({piece, polygon}) => lying.includes(piece) && holdsPoint(polygon, nx, ny));
     if (tab) {
       return {piece: tab.piece, edge: tab.edge};
     }
@@ -341,8 +490,15 @@ export class Plan {
     if (number) {
       return number;
     }
-    const f = faceAt(nets, p, nx, ny);
-    return f < 0 ? null : {piece: nets.facePiece[f], edge: -1};
+    const index = lying.find((one) => faceOfPieceAt(nets, one, nx, ny) >= 0);
+    return index === undefined ? null : {piece: index, edge: -1};
+  }
+
+  /** The face of a piece at a point of the grid of pages, as it lies; or -1. @param {number} index @param {number[]} point */
+  #faceAt(index, point) {
+    const {page} = this.nets.pieces[index];
+    const [x, y] = this.onPage(page, point);
+    return faceOfPieceAt(this.nets, index, x + this.nets.pages[page].x, y + this.nets.pages[page].y);
   }
 
   /** The edge whose number stands there. @param {number} p @param {number} x on the page, y up @param {number} y
@@ -351,13 +507,13 @@ export class Plan {
     const {nets, drawer} = this;
     for (const group of drawer.sheets.pages[p]?.groups ?? []) {
       const index = drawer.pieceByGroup.get(group.id);
-      if (index === undefined) {
+      if (index === undefined || this.loose.has(index)) {
         continue;
       }
       const text = group.texts?.find(([layer, number, tx, ty, height]) => layer === 0 &&
         Math.hypot(x - tx, y - ty) < 0.5 * height * Math.max(1, 0.6 * number.length) + 0.4);
       if (text) {
-        const edges = nets.pieces[index].joins.flatMap((j) => (nets.joins[j].number === parseInt(text[1], 10) ? nets.joins[j].edges : []))
+        const edges = nets.pieces[index].joins.flatMap((j) => (nets.joins[j].number === parseInt(text[1].split(":").pop() ?? "", 10) ? nets.joins[j].edges : []))
           .filter((e) => nets.edges[e].piece === index);
         const away = (/** @type {number} */ e) => segmentDistance(nx, ny, drawer.ends(e)[0], drawer.ends(e)[1]);
         edges.sort((a, b) => away(a) - away(b));
@@ -376,7 +532,8 @@ export class Plan {
     path.focus();
   }
 
-  #listen() {
+  /** @param {AbortSignal} signal */
+  #listen(signal) {
     const {svg} = this;
     /** @type {Map<number, {x: number, y: number}>} */
     const fingers = new Map();
@@ -399,7 +556,7 @@ export class Plan {
       if (event.shiftKey) {
         frame = svgElement("rect", {class: "frame"}, svg);
       }
-    });
+    }, {signal});
     svg.addEventListener("pointermove", (event) => {
       const before = fingers.get(event.pointerId);
       if (!before) {
@@ -427,15 +584,15 @@ export class Plan {
         const o = others[0];
         const old = Math.hypot(before.x - o.x, before.y - o.y);
         const now = Math.hypot(event.clientX - o.x, event.clientY - o.y);
-        this.#pan(0.5 * dx, 0.5 * dy);
+        this.pan(0.5 * dx, 0.5 * dy);
         if (old > 1) {
           this.zoomAt(now / old, 0.5 * (event.clientX + o.x), 0.5 * (event.clientY + o.y));
         }
       } else if (moved > 4) {
-        this.#pan(dx, dy);
+        this.pan(dx, dy);
       }
       fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-    });
+    }, {signal});
     const up = (/** @type {PointerEvent} */ event) => {
       const {drag} = this;
       if (drag?.dragged?.moved) {
@@ -459,13 +616,13 @@ export class Plan {
       }
       fingers.delete(event.pointerId);
     };
-    svg.addEventListener("pointerup", up);
-    svg.addEventListener("pointercancel", up);
-    svg.addEventListener("pointerleave", () => this.listener.hover(null));
+    svg.addEventListener("pointerup", up, {signal});
+    svg.addEventListener("pointercancel", up, {signal});
+    svg.addEventListener("pointerleave", () => this.listener.hover(null), {signal});
     svg.addEventListener("wheel", (event) => {
       event.preventDefault();
       this.zoomAt(Math.exp(-wheelSteps(event) * 0.16), event.clientX, event.clientY);
-    }, {passive: false});
+    }, {passive: false, signal});
     svg.addEventListener("dblclick", (event) => {
       const spot = this.pick(event.clientX, event.clientY, 6);
       if (spot) {
@@ -481,7 +638,7 @@ export class Plan {
         const [width, height] = this.drawer.size(p);
         this.#show({...this.corners[p], width, height}, 0.96);
       }
-    });
+    }, {signal});
     svg.addEventListener("focusin", (event) => {
       const target = /** @type {Element} */ (event.target);
       const index = Number(target.closest("[data-piece]")?.getAttribute("data-piece") ?? -1);
@@ -493,8 +650,8 @@ export class Plan {
           this.goTo({piece: index, edge: -1});
         }
       }
-    });
-    svg.addEventListener("focusout", () => this.listener.hover(null));
+    }, {signal});
+    svg.addEventListener("focusout", () => this.listener.hover(null), {signal});
   }
 
   /** On the grid of pages, mm. @param {number} clientX @param {number} clientY */
@@ -518,7 +675,7 @@ export class Plan {
   }
 
   /** @param {number} dx pixels @param {number} dy */
-  #pan(dx, dy) {
+  pan(dx, dy) {
     this.view.x -= dx / this.view.scale;
     this.view.y -= dy / this.view.scale;
     this.fitted = false;
@@ -535,6 +692,14 @@ export class Plan {
     this.view.scale = scale;
     this.fitted = false;
     this.#apply();
+  }
+}
+
+/** Children in their order, for whoever goes from one to the next by keys; those that are in it aren't moved.
+ * @param {Element[]} children @param {Element} parent @param {ChildNode | null} next where the first one is to be */
+function inOrder(children, parent, next) {
+  for (const child of children) {
+    next === child ? (next = child.nextSibling) : parent.insertBefore(child, next);
   }
 }
 

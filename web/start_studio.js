@@ -4,7 +4,8 @@
 import {bytesOf, unpacked, unpackedText} from "./packed.js";
 import {byId, tellBroken} from "./panel.js";
 import {Studio} from "./studio.js";
-import {optionsOf} from "./options.js";
+import {optionsIn, optionsOf} from "./options.js";
+import {addLanguage} from "./words.js";
 import {WorkerBackend} from "./worker_backend.js";
 
 /** @param {string} id */
@@ -14,11 +15,13 @@ async function startStudio() {
   const version = document.querySelector("meta[name=generator]")?.getAttribute("content") ?? "";
   // The module is compiled while it is being unpacked.
   const module = WebAssembly.compileStreaming(new Response(unpacked(embedded("packed-module")), {headers: {"content-type": "application/wasm"}}));
-  const [program, samples] = await Promise.all(["program", "samples"].map((id) => unpackedText(embedded(`packed-${id}`))));
+  const [languages, program, samples] = await Promise.all(["languages", "program", "samples"].map((id) => unpackedText(embedded(`packed-${id}`))));
+  Object.entries(JSON.parse(languages)).forEach(([code, language]) => addLanguage(code, language));
   const backend = new WorkerBackend(program, module, version);
   const studio = new Studio(backend, JSON.parse(samples));
   Object.assign(globalThis, {ridgecraft: {inspect: (/** @type {any} */ about) => studio.inspect(about),
     export: (/** @type {string} */ format) => backend.export(format)}});
+  studio.linked = optionsIn(location.hash);
   const start = JSON.parse(embedded("start"));
   if (start.name) {
     const beside = Object.fromEntries(Object.entries(start.files).map(([name, bytes]) => [name, bytesOf(String(bytes))]));

@@ -1,110 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All texts of the page by key, in two languages, and numbers as people there write them.
+// What the page says in the reader's language, and numbers as people there write them. The texts are web/languages/CODE.json.
 
-import {viewerMessages} from "./message_words.js";
+/**
+ * A language as its file has it. What it lacks is said in English.
+ * @typedef {Record<string, string>} Texts
+ * @typedef {object} Language
+ * @property {string} name as its readers call it
+ * @property {Texts} page of all pages
+ * @property {Texts} seams messages that a page with one result can show: why a seam has no tab
+ * @property {Texts} [studio] of the studio; before those of the page
+ * @property {Texts} [options] of its controls
+ * @property {Texts} [messages] that the program may give there
+ */
 
-/** The program's messages that this page can show. @type {Record<string, [string, string]>} English, German */
-export const messages = {...viewerMessages};
-
-/** @type {Record<string, [string, string]>} English, German */
-export const texts = {
-  model: ["Model", "Modell"],
-  sheets: ["Sheets", "Bögen"],
-  views: ["What is shown", "Was zu sehen ist"],
-  build: ["Build it", "Bauen"],
-  build_end: ["Finish", "Beenden"],
-  menu: ["Menu", "Menü"],
-  steps: ["Steps", "Schritte"],
-  colours: ["The model's own colours (T)", "Eigene Farben des Modells (T)"],
-  through: ["Seams seen through the model (X)", "Nähte durchs Modell hindurch zeigen (X)"],
-  fit: ["Show all (Home)", "Alles zeigen (Pos1)"],
-  play: ["Fold (space)", "Falten (Leertaste)"],
-  pause: ["Pause (space)", "Anhalten (Leertaste)"],
-  speed: ["Speed: {speed}", "Tempo: {speed}"],
-  folded: ["How far it is folded", "Wie weit gefaltet ist"],
-  flat: ["flat", "flach"],
-  folded_word: ["folded", "gefaltet"],
-  built: ["built", "gebaut"],
-  divider: ["Width of the views", "Breite der Ansichten"],
-  facts: ["{faces}, {pieces}, {pages}, {size}", "{faces}, {pieces}, {pages}, {size}"],
-  faces_1: ["{n} face", "{n} Fläche"],
-  faces_n: ["{n} faces", "{n} Flächen"],
-  pieces_1: ["{n} piece", "{n} Teil"],
-  pieces_n: ["{n} pieces", "{n} Teile"],
-  pages_1: ["{n} page", "{n} Seite"],
-  pages_n: ["{n} pages", "{n} Seiten"],
-  folds_1: ["{n} fold", "{n} Falz"],
-  folds_n: ["{n} folds", "{n} Falze"],
-  joins_1: ["{n} join", "{n} Naht"],
-  joins_n: ["{n} joins", "{n} Nähte"],
-  named: ["“{name}”", "„{name}“"],
-  page: ["page {page}", "Seite {page}"],
-  piece: ["Piece {name}", "Teil {name}"],
-  piece_line: ["Piece {name}, {page}: {faces}, {folds}{glued}", "Teil {name}, {page}: {faces}, {folds}{glued}"],
-  glued: [", glued to {names} by {joins}", ", mit {names} verklebt an {joins}"],
-  itself: ["itself", "sich selbst"],
-  and: ["{list} and {last}", "{list} und {last}"],
-  join_line: ["Join {number}: {a} + {b}, {length}, {tab}", "Naht {number}: {a} + {b}, {length}, {tab}"],
-  tab_on: ["tab on {name}", "Lasche an {name}"],
-  no_tab: ["no tab: {why}", "ohne Lasche: {why}"],
-  mountain: ["Mountain fold", "Bergfalz"],
-  valley: ["Valley fold", "Talfalz"],
-  fold_line: ["{kind}, {angle}, {length}, piece {name}", "{kind}, {angle}, {length}, Teil {name}"],
-  border_line: ["Border, {length}, piece {name}", "Rand, {length}, Teil {name}"],
-  tip: ["Point at a piece or a seam to find it on the other side.", "Auf ein Teil oder eine Naht zeigen: auf der anderen Seite leuchtet es auf."],
-  tip_touch: ["Tap a piece or a seam to find it on the sheets.", "Ein Teil oder eine Naht antippen: auf den Bögen leuchtet es auf."],
-  checked: ["Checked: folds back to the model", "Geprüft: gefaltet ergibt es das Modell"],
-  checked_title: ["Every piece was folded by its angles in this browser. Largest distance from the model: {error}.", "Jedes Teil wurde in diesem Browser nach seinen Winkeln gefaltet. Größter Abstand zum Modell: {error}."],
-  unchecked: ["Doesn't fold back to the model ({error})", "Ergibt gefaltet nicht das Modell ({error})"],
-  stage_label: ["{title}, built from {pieces}. Arrow keys turn it.", "{title}, gebaut aus {pieces}. Die Pfeiltasten drehen es."],
-  print_sheets: ["Print the sheets", "Bögen drucken"],
-  print_guide: ["Print the guide", "Anleitung drucken"],
-  save_fold: ["Save the nets (.fold)", "Abwicklungen speichern (.fold)"],
-  language: ["Deutsch", "English"],
-  inches: ["Show inches", "Zoll anzeigen"],
-  millimetres: ["Show millimetres", "Millimeter anzeigen"],
-  all_keys: ["Keyboard", "Tastatur"],
-  notes_label: ["What to look at", "Was zu beachten ist"],
-  notes_1: ["{n} note", "{n} Hinweis"],
-  notes_n: ["{n} notes", "{n} Hinweise"],
-  guide_title: ["How to build it: {title}", "So wird gebaut: {title}"],
-  on_page: ["{page}: {names}", "{page}: {names}"],
-  close: ["Close", "Schließen"],
-  step_of: ["Step {n} of {all}", "Schritt {n} von {all}"],
-  step_cut: ["Cut out {names}", "{names} ausschneiden"],
-  step_fold: ["Fold", "Falten"],
-  step_fold_now: ["Fold {n} of {all}: {kind}, {angle}", "Falz {n} von {all}: {kind}, {angle}"],
-  step_fold_many: ["Fold {n} of {all}: {count} together, up to {angle}", "Falz {n} von {all}: {count} zusammen, bis {angle}"],
-  step_glue: ["Glue {joins} to {names}", "{joins} an {names} kleben"],
-  step_glue_own: ["Close {joins} of its own", "{joins} an sich selbst schließen"],
-  nothing_to_fold: ["Nothing to fold", "Nichts zu falten"],
-  back: ["Back", "Zurück"],
-  next: ["Next", "Weiter"],
-  done: ["Done", "Erledigt"],
-  done_of: ["{n} of {all} done", "{n} von {all} erledigt"],
-  all_done: ["All done. Well built!", "Alles erledigt. Gut gebaut!"],
-  key_space: ["Fold and unfold", "Falten und Aufklappen"],
-  key_steps: ["Step by step: back and on", "Schritt für Schritt: zurück und weiter"],
-  key_build: ["Begin and end building", "Bauen beginnen und beenden"],
-  key_done: ["Tick a step off", "Schritt abhaken"],
-  key_home: ["Show all", "Alles zeigen"],
-  key_f: ["Show what is chosen", "Das Gewählte zeigen"],
-  key_x: ["Seams through the model", "Nähte durchs Modell"],
-  key_t: ["The model's colours, or those of the pieces", "Farben des Modells oder der Teile"],
-  key_tab: ["Next piece; its edges: up and down", "Nächstes Teil; seine Kanten: auf und ab"],
-  key_escape: ["Choose nothing", "Nichts auswählen"],
-  key_print: ["Print the sheets", "Bögen drucken"],
-  key_help: ["These keys", "Diese Tasten"],
-  mouse: ["Drag turns, right drag moves, the wheel zooms. On the sheets drag moves, and a double click goes to a piece.", "Ziehen dreht, Ziehen mit rechts verschiebt, das Rad vergrößert. Auf den Bögen verschiebt Ziehen, und ein Doppelklick geht zu einem Teil."],
-  no_webgl: ["Drawn in a simple way: this browser has no WebGL 2", "Einfach gezeichnet: Dieser Browser hat kein WebGL 2"],
-  broken: ["This page can't show its model: {why}", "Diese Seite kann ihr Modell nicht zeigen: {why}"],
-};
+/** By code, as browsers name languages. @type {Map<string, {name: string, texts: Texts, messages: Texts}>} */
+export const languages = new Map();
 
 /** Of the reader. */
-export const reader = {
-  language: (globalThis.navigator?.language ?? "en").toLowerCase().startsWith("de") ? "de" : "en",
-  inches: false,
-};
+export const reader = {language: "en", inches: false};
+
+/** The page begins in the language that its reader prefers of those that there are. @param {string} code @param {Language} language */
+export function addLanguage(code, {name, page, seams, studio = {}, options = {}, messages = {}}) {
+  languages.set(code, {name, texts: {...page, ...options, ...studio}, messages: {...seams, ...messages}});
+  const wanted = (globalThis.navigator?.languages ?? []).map((tag) => tag.toLowerCase().split("-")[0]);
+  reader.language = wanted.find((one) => languages.has(one)) ?? "en";
+}
+
+/** @param {"texts" | "messages"} kind @param {string} key @param {string} [code] of a language @returns {string | undefined} */
+export const textOf = (kind, key, code = reader.language) => languages.get(code)?.[kind][key] ?? languages.get("en")?.[kind][key];
+
+/** A long name without its middle: beginnings and endings tell files apart. @param {string} name @param {number} [most] characters */
+export function shortName(name, most = 36) {
+  const letters = [...name];
+  const tail = Math.floor((most - 1) / 2);
+  return letters.length <= most ? name : `${letters.slice(0, most - 1 - tail).join("")}…${letters.slice(-tail).join("")}`;
+}
 
 /**
  * A text in the reader's language, with its gaps filled.
@@ -112,8 +42,7 @@ export const reader = {
  * @param {Record<string, string | number>} [values]
  */
 export function say(key, values = {}) {
-  const text = texts[key]?.[reader.language === "de" ? 1 : 0] ?? key;
-  return text.replace(/\{(\w+)\}/g, (gap, name) => (name in values ? String(values[name]) : gap));
+  return (textOf("texts", key) ?? key).replace(/\{(\w+)\}/g, (gap, name) => (name in values ? String(values[name]) : gap));
 }
 
 /**
@@ -127,7 +56,7 @@ const gaps = /\{(\w+)(?:\|([^|}]*)\|([^}]*)|, (\w+))?\}/g;
 
 /** For the reader, whom its English text has to do where its code is unknown. @param {Message} message @returns {string} */
 export function sayMessage({code, values, text}) {
-  return messages[code]?.[reader.language === "de" ? 1 : 0].replace(gaps, (_, name, one, many, word) => one === undefined
+  return textOf("messages", code)?.replace(gaps, (_, name, one, many, word) => one === undefined
     ? sayFilling(values[name], word) : (values[name] === "1" ? one : many).replace("#", values[name])) ?? text;
 }
 
@@ -146,11 +75,11 @@ function sayFilling(filling, word) {
 /** An option as the page's own control is called; other words as they are. @param {string} word of the command line @param {string} value */
 function sayOption(word, value) {
   const key = `option_${word.slice(2).replaceAll("-", "_")}`;
-  if (!word.startsWith("--") || !(key in texts)) {
+  if (!word.startsWith("--") || textOf("texts", key) === undefined) {
     return `${word} ${value}`.trim();
   }
   const choice = `${key}_${value}`;
-  return say("named", {name: value === "" ? say(key) : `${say(key)}: ${choice in texts ? say(choice) : value}`});
+  return say("named", {name: value === "" ? say(key) : `${say(key)}: ${textOf("texts", choice) ?? value}`});
 }
 
 /** @param {number} value @param {number} digits */

@@ -2,11 +2,13 @@
 // What runs in the worker, behind the glue of the module (wasm/): it keeps one project and answers one call at a time.
 //
 //   {id, call: "start", module}            the compiled WebAssembly
-//   {id, call: "make", files, words, steps}  files by name, the words of a command line, and what was done by hand: the
-//                                          summary, nets and sheets; which steps were left out
-//   {id, call: "apply" | "preview", line}  edits of one step: the same; or why they are refused
-//   {id, call: "undo"}
-//   {id, call: "write", name}              the files that this name after -o stands for: [{name, bytes}]
+//   {id, call: "make", files, words}       files by name, the words of a command line: the summary, nets and sheets
+//   {id, call: "repeat", steps}            what was done by hand: the same, and which steps were left out
+//   {id, call: "apply" | "preview", line}  edits of one step: the same; or why they are refused. preview: `reach` mm a piece may
+//                                          lie elsewhere
+//   {id, call: "undo", count}              takes that many steps back: the same
+//   {id, call: "show"}                     the same, as it is
+//   {id, call: "write", name, pages}       the files that this name after -o stands for: [{name, bytes}]; only these pages
 //
 // Answers are {id, ...} with `error: {code, message}` where a call fails; between them {stage, share} and {note}. Messages and notes are
 // codes with values (words.js).
@@ -44,9 +46,9 @@ class Refused extends Error {
   }
 }
 
-/** What a function of the module answers. @param {string} name @param {string | number} [value] */
-function answerOf(name, value) {
-  const code = core.ccall(name, "number", value === undefined ? [] : [typeof value], value === undefined ? [] : [value]);
+/** What a function of the module answers. @param {string} name @param {(string | number)[]} values */
+function answerOf(name, ...values) {
+  const code = core.ccall(name, "number", values.map((value) => typeof value), values);
   const begin = core.ccall("ridgecraft_answer", "number", [], []);
   const bytes = core.HEAPU8.slice(begin, begin + core.ccall("ridgecraft_answer_size", "number", [], []));
   if (code !== 0) {
@@ -55,25 +57,28 @@ function answerOf(name, value) {
   return bytes;
 }
 
-/** @param {string} name @param {string | number} [value] */
-const textOf = (name, value) => new TextDecoder().decode(answerOf(name, value));
+/** @param {string} name @param {(string | number)[]} values */
+const textOf = (name, ...values) => new TextDecoder().decode(answerOf(name, ...values));
 
-/** @param {string} name */
-function writtenAs(name) {
-  return JSON.parse(textOf("ridgecraft_plan", name)).map((/** @type {string} */ file, /** @type {number} */ i) =>
+/** @param {string} name @param {number[]} [pages] the only ones */
+function writtenAs(name, pages) {
+  const names = JSON.parse(textOf("ridgecraft_plan", name));
+  if (pages) {
+    answerOf("ridgecraft_only", JSON.stringify(pages));
+  }
+  return names.map((/** @type {string} */ file, /** @type {number} */ i) =>
     ({name: file, bytes: answerOf("ridgecraft_write", i)}));
 }
 
-/** @param {Record<string, Uint8Array>} files @param {string[]} words @param {string[]} steps */
-function makePaper(files, words, steps) {
+/** @param {Record<string, Uint8Array>} files @param {string[]} words */
+function makePaper(files, words) {
   for (const name of core.FS.readdir(".").filter((/** @type {string} */ n) => n !== "." && n !== "..")) {
     core.FS.unlink(name);
   }
   for (const [name, bytes] of Object.entries(files)) {
     core.FS.writeFile(name, bytes);
   }
-  const summary = JSON.parse(textOf("ridgecraft_make", JSON.stringify(words)));
-  return steps.length > 0 ? changedPaper(textOf("ridgecraft_repeat", steps.join("\n"))) : shown({summary});
+  return shown({summary: JSON.parse(textOf("ridgecraft_make", JSON.stringify(words)))});
 }
 
 /** With what the page shows. @param {Record<string, any>} result */
@@ -92,15 +97,19 @@ worker.onmessage = async (/** @type {MessageEvent} */ {data}) => {
     if (data.call === "start") {
       worker.postMessage({id: data.id, ...await startCore(data.module)});
     } else if (data.call === "make") {
-      worker.postMessage({id: data.id, ...makePaper(data.files, data.words, data.steps)});
+      worker.postMessage({id: data.id, ...makePaper(data.files, data.words)});
+    } else if (data.call === "repeat") {
+      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_repeat", data.steps.join("\n")))});
     } else if (data.call === "apply") {
       worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_apply", data.line))});
     } else if (data.call === "preview") {
-      worker.postMessage({id: data.id, ...JSON.parse(textOf("ridgecraft_preview", data.line))});
+      worker.postMessage({id: data.id, ...JSON.parse(textOf("ridgecraft_preview", data.line, data.reach))});
     } else if (data.call === "undo") {
-      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_undo"))});
+      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_undo", data.count))});
+    } else if (data.call === "show") {
+      worker.postMessage({id: data.id, ...changedPaper(textOf("ridgecraft_undo", 0))});
     } else {
-      const files = writtenAs(data.name);
+      const files = writtenAs(data.name, data.pages);
       worker.postMessage({id: data.id, files}, files.map((/** @type {{bytes: Uint8Array}} */ file) => file.bytes.buffer));
     }
   } catch (error) {

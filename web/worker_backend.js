@@ -4,11 +4,20 @@
 
 import {zipOf} from "./archive.js";
 import {NotEditable} from "./backend.js";
+import {Carrier, isSameSurface, surfaceOf} from "./carry.js";
+import {changedKeys, History} from "./history.js";
 import {proposalOf, saySentence} from "./studio_words.js";
-import {wordsOf} from "./options.js";
-import {say, sayCount, sayMessage} from "./words.js";
+import {optionTable, wordsOf} from "./options.js";
+import {say, sayMessage} from "./words.js";
 
 /** @typedef {import("./backend.js").State} State */
+
+/** Refusals where the edge is meant that was clicked, not all that lies around it. */
+const ofTheEdge = new Set(["closes_loop", "cut_parts_nothing", "inside_flat_region", "cut_already", "fold_already", "nothing_to_cut", "nothing_to_join",
+  "larger_than_paper", "wouldnt_fold_together", "pages_differ", "only_glued_edges", "made_without_tabs"]);
+
+/** @param {import("./words.js").Message} message @param {number[]} faces */
+const facesToSee = ({code}, faces) => (ofTheEdge.has(code) ? [] : faces);
 
 /** Why the program doesn't do what was asked. */
 export class Refusal extends Error {
@@ -23,7 +32,7 @@ export class Refusal extends Error {
 
   /** @param {import("./words.js").Message} message @param {number[]} [faces] */
   static of(message, faces = []) {
-    return new Refusal(saySentence(message), faces, proposalOf(message));
+    return new Refusal(saySentence(message), facesToSee(message, faces), proposalOf(message));
   }
 }
 
@@ -42,7 +51,9 @@ export class Cancelled extends Error {
  * @property {Record<string, string | boolean>} options
  * @property {string[]} rest words of a command line that are no options of the panel
  * @property {string[]} steps what was done by hand, in the words of session/edit.hpp
- * @property {string[]} undone of these, the last one first to come back
+ *
+ * What outlives the page.
+ * @typedef {{name: string, files: Record<string, Uint8Array>, rest: string[], history: import("./history.js").Saved}} SavedProject
  */
 
 /** The model in the program's words: names that could be options or verbs are paths. @param {string} name */
@@ -51,9 +62,25 @@ const asModel = (name) => (/^[^-].*\./.test(name) ? name : `./${name}`);
 /** In the words of session/edit.hpp. @param {import("./backend.js").Edit[]} edits */
 const lineOf = (edits) => edits.map((edit) => {
   const values = edit.kind === "place" ? [edit.face, edit.page, ...edit.at, edit.degrees] : edit.kind === "retry" ? [edit.face, edit.seed]
-    : edit.kind === "pack" ? edit.faces : "edge" in edit ? edit.edge : [edit.face];
+    : edit.kind === "pack" ? edit.faces : edit.kind === "number" ? [] : edit.kind === "tab-shape" ? [...edit.edge, edit.height, edit.degrees] : "edge" in edit ? edit.edge : [edit.face];
   return [edit.kind, ...values].join(" ");
 }).join("; ");
+
+/** As far from where a piece is held as anybody would take for what they meant. */
+const nearbyMm = 15;
+
+/** Whether the worker has these files and options. @param {{files: Record<string, Uint8Array>, words: string}} held @param {Project} project */
+const isSame = (held, {name, files, rest, options}) =>
+  held.files === files && held.words === [asModel(name), ...rest, ...wordsOf(options)].join("\n");
+
+/** The surface that edits name; none where a file has none. @param {string} fold */
+function surfaceIn(fold) {
+  try {
+    return surfaceOf(fold);
+  } catch {
+    return null;
+  }
+}
 
 /** No folders in the module's file system. @param {string} name */
 const bareName = (name) => name.replace(/^.*[\\/]/, "") || "model";
@@ -76,8 +103,11 @@ export class WorkerBackend {
     this.worker = null;
     /** Whether the worker has started. */
     this.usable = false;
-    /** Whether it has the project's paper. */
-    this.made = false;
+    this.history = new History();
+    /** What the worker has made paper of. @type {{files: Record<string, Uint8Array>, words: string, live: string[]} | null} */
+    this.held = null;
+    /** @type {Promise<unknown> | null} */
+    this.catching = null;
     /** @type {Map<number, {resolve: (answer: any) => void, reject: (error: Error) => void}>} */
     this.calls = new Map();
     this.lastCall = 0;
@@ -90,7 +120,7 @@ export class WorkerBackend {
   }
 
   capabilities() {
-    return {edit: true, export: ["pdf", "guide", "svg", "html", "fold", "dxf", "png", "lbrn2", "eps", "plt"], version: this.version};
+    return {edit: true, export: ["pdf", "guide", "svg", "html", "ridgecraft", "fold", "dxf", "png", "lbrn2", "eps", "plt"], version: this.version};
   }
 
   /** @param {(stage: string, share: number) => void} listener */
@@ -114,49 +144,124 @@ export class WorkerBackend {
    * @param {Record<string, Uint8Array>} sidecars
    * @param {Record<string, string | boolean>} [options]
    * @param {string[]} [rest]
+   * @param {string[]} [steps] what was done by hand already
    * @returns {Promise<State>}
    */
-  open(name, bytes, sidecars = {}, options = {}, rest = []) {
+  async open(name, bytes, sidecars = {}, options = {}, rest = [], steps = []) {
     /** @type {Record<string, Uint8Array>} */
     const files = {};
     for (const [sidecar, content] of Object.entries(sidecars)) {
       files[bareName(sidecar)] = content;
     }
     files[bareName(name)] = bytes;
-    return this.#make({name: bareName(name), files, options, rest, steps: [], undone: []});
+    const project = {name: bareName(name), files, options, rest, steps};
+    const history = new History();
+    Object.assign(history, {lines: [...steps], bases: steps.map(() => -1)});
+    const made = await this.#make(project, history);
+    Object.assign(this, {project, history});
+    history.bases.fill(made.surface);
+    history.add({options, count: steps.length, what: {kind: "open"}, ...made});
+    return this.#shown(made.state);
+  }
+
+  /** A project as it was saved, with its history. @param {SavedProject} saved @returns {Promise<State>} */
+  async restore({name, files, rest, history: saved}) {
+    const history = History.restored(saved);
+    const moment = /** @type {import("./history.js").Moment} */ (history.now);
+    const project = {name, files, rest, options: moment.options, steps: history.steps(moment)};
+    Object.assign(moment, await this.#make(project, history));
+    Object.assign(this, {history, project});
+    return this.#shown(/** @type {State} */ (moment.state));
+  }
+
+  /** @returns {SavedProject | null} */
+  saved() {
+    const {project, history} = this;
+    return project && {name: project.name, files: project.files, rest: project.rest, history: history.save()};
+  }
+
+  /** Files that belong to the model and come later: its pictures. @param {Record<string, Uint8Array>} more @returns {Promise<State>} */
+  async addFiles(more) {
+    const {project, history} = this;
+    if (!project || !history.now) {
+      throw new NotEditable();
+    }
+    const next = {...project, files: {...project.files, ...more}};
+    const made = await this.#make(next, history);
+    this.project = next;
+    history.forgetAll();
+    Object.assign(history.now, made);
+    return this.#shown(made.state);
   }
 
   /** @param {Record<string, string | boolean>} options those that change @returns {Promise<State>} */
-  set(options) {
-    if (!this.project) {
-      return Promise.reject(new NotEditable());
+  async set(options) {
+    const {project, history} = this;
+    if (!project) {
+      throw new NotEditable();
     }
-    return this.#make({...this.project, options: {...this.project.options, ...options}});
+    const next = {...project.options, ...options};
+    const made = await this.#make({...project, options: next}, history);
+    this.project = {...project, options: next};
+    history.add({options: next, count: project.steps.length, ...made, what: {kind: "options", keys: changedKeys(project.options, next, optionTable)}});
+    return this.#shown(made.state);
   }
 
   /** @param {import("./backend.js").Edit[]} edits @returns {Promise<State>} */
-  apply(edits) {
+  async apply(edits) {
     const line = lineOf(edits);
-    return this.#change({call: "apply", line}, ({steps}) => ({steps: [...steps, line], undone: []}));
+    const {held, project} = await this.#inStep();
+    const result = await this.#call({call: "apply", line});
+    if (result.refused) {
+      throw Refusal.of(result.refused.why, result.refused.faces);
+    }
+    held.live.push(line);
+    const {history} = this;
+    const steps = [...project.steps, line];
+    const {left = [], surface} = /** @type {import("./history.js").Moment} */ (history.now);
+    this.project = {...project, steps};
+    const state = this.#state(this.project, result, left);
+    history.add({options: project.options, count: steps.length, left, live: [...held.live], surface, state, what: {kind: "edits", edits: edits.map(({kind}) => kind)}}, line);
+    return this.#shown(state);
   }
 
   /** @returns {Promise<State>} */
   undo() {
-    return this.#change({call: "undo"}, ({steps, undone}) => ({steps: steps.slice(0, -1), undone: [...undone, ...steps.slice(-1)]}));
+    return this.go(this.history.at - 1);
   }
 
   /** @returns {Promise<State>} */
   redo() {
-    const line = this.project?.undone.at(-1);
-    // Equal edits give equal bytes, so what was undone is done again.
-    return this.#change({call: "apply", line}, ({steps, undone}) => ({steps: [...steps, ...undone.slice(-1)], undone: undone.slice(0, -1)}));
+    return this.go(this.history.at + 1);
   }
 
-  /** @param {import("./backend.js").Edit[]} edits @returns {Promise<{ok: boolean, why?: string, faces?: number[], instead?: number[]}>} */
-  async preview(edits) {
-    await this.#remade();
-    const {refused, instead} = await this.#call({call: "preview", line: lineOf(edits)});
-    return refused ? {ok: false, why: saySentence(refused.why), faces: refused.faces, instead} : {ok: true};
+  /** To another place in the history; results that are kept are there at once, and the program comes after. @param {number} to
+   * @returns {Promise<State>} */
+  async go(to) {
+    const {project, history} = this;
+    const moment = history.moments[to];
+    if (!project || !moment) {
+      throw new NotEditable();
+    }
+    const target = {...project, options: moment.options, steps: history.steps(moment)};
+    if (!moment.state) {
+      Object.assign(moment, await this.#bring(target, moment));
+    }
+    history.at = to;
+    this.project = target;
+    return this.#shown(/** @type {State} */ (moment.state));
+  }
+
+  /** Lets the program come to where the history is, so that what is done next doesn't wait for it. */
+  async catchUp() {
+    await this.#inStep();
+  }
+
+  /** @param {import("./backend.js").Edit[]} edits @param {number} [reach] mm to another place of a piece @returns {Promise<{ok: boolean, code?: string, why?: string, faces?: number[], instead?: number[]}>} */
+  async preview(edits, reach = nearbyMm) {
+    await this.#inStep();
+    const {refused, instead} = await this.#call({call: "preview", line: lineOf(edits), reach});
+    return refused ? {ok: false, code: refused.why.code, why: saySentence(refused.why), faces: facesToSee(refused.why, refused.faces), instead} : {ok: true};
   }
 
   /** @param {string} format @returns {Promise<Uint8Array>} */
@@ -167,12 +272,13 @@ export class WorkerBackend {
   /**
    * The bytes of a format under the name of a file: formats with a file per page come as an archive of them.
    * @param {string} format
+   * @param {number[]} [pages] of a PDF, the only ones, from 1
    * @returns {Promise<{name: string, bytes: Uint8Array}>}
    */
-  async exportFile(format) {
-    const {name} = await this.#remade();
+  async exportFile(format, pages) {
+    const {project: {name}} = await this.#inStep();
     const title = name.replace(/\.[^.]*$/, "");
-    const {files} = await this.#call({call: "write", name: format === "guide" ? `${title}-guide.pdf` : `${title}.${format}`});
+    const {files} = await this.#call({call: "write", name: format === "guide" ? `${title}-guide.pdf` : `${title}.${format}`, pages});
     return files.length === 1 ? files[0] : {name: `${title}-${format}.zip`, bytes: zipOf(files)};
   }
 
@@ -185,55 +291,110 @@ export class WorkerBackend {
 
   // ---- the worker
 
-  /** The project, whose paper the worker has: it may have been ended. @returns {Promise<Project>} */
-  async #remade() {
+  /** Whether the worker has what the history shows. */
+  #isInStep() {
+    const {held, project, history} = this;
+    return held !== null && project !== null && isSame(held, project) && history.now?.live !== undefined
+      && held.live.join("\n") === history.now.live.join("\n");
+  }
+
+  /** The project, whose paper the worker has then: it may have been ended, or be elsewhere in the history. */
+  async #inStep() {
     if (!this.project) {
       throw new NotEditable();
     }
-    if (!this.made) {
-      await this.#make(this.project);
+    while (!this.#isInStep()) {
+      const {project, history: {now}} = this;
+      this.catching ??= this.#bring(project, /** @type {import("./history.js").Moment} */ (now)).then((brought) => {
+        Object.assign(/** @type {object} */ (now), brought);
+      }).finally(() => {
+        this.catching = null;
+      });
+      await this.catching;
     }
-    return this.project;
+    return {project: this.project, held: /** @type {NonNullable<WorkerBackend["held"]>} */ (this.held)};
   }
 
-  /** @param {Project} project @returns {Promise<State>} */
-  async #make(project) {
-    // A newer request ends the one before.
-    this.cancel();
-    this.notes = [];
-    this.made = false;
-    const result = await this.#call({call: "make", files: project.files, words: [asModel(project.name), ...project.rest, ...wordsOf(project.options)],
-      steps: project.steps});
-    this.made = true;
-    /** @type {number[]} */
-    const leftOut = result.left_out ?? [];
-    if (leftOut.length > 0) {
-      this.notes.push({text: sayCount("edits_left_out", leftOut.length)});
+  /** The worker goes there the shortest way. @param {Project} project @param {import("./history.js").Moment} moment
+   * @returns {Promise<Made>} */
+  async #bring(project, moment) {
+    const {held, history} = this;
+    const {left, live, surface} = moment;
+    if (!held || !left || !live || surface === undefined || !isSame(held, project)) {
+      return this.#make(project, history);
     }
-    return this.#state({...project, steps: project.steps.filter((_, i) => !leftOut.includes(i))}, result);
+    let common = 0;
+    while (common < live.length && live[common] === held.live[common]) {
+      ++common;
+    }
+    let result = common < held.live.length ? await this.#call({call: "undo", count: held.live.length - common}) : null;
+    held.live.length = common;
+    for (const line of live.slice(common)) {
+      result = await this.#call({call: "apply", line});
+      held.live.push(line);
+    }
+    return {state: this.#state(project, result ?? await this.#call({call: "show"}), left), left, live, surface};
   }
 
   /**
-   * @param {Record<string, unknown>} message
-   * @param {(project: Project) => {steps: string[], undone: string[]}} after the steps that it leaves
-   * @returns {Promise<State>}
+   * @param {Project} project
+   * @param {History} history whose first steps the project has
+   * @returns {Promise<Made>}
+   *
+   * What came of a project: steps that aren't possible, and the others by the names of its surface.
+   * @typedef {{state: State, left: number[], live: string[], surface: number}} Made
    */
-  async #change(message, after) {
-    await this.#remade();
-    const result = await this.#call(message);
-    if (result.refused) {
-      throw Refusal.of(result.refused.why, result.refused.faces);
+  async #make(project, history) {
+    // A newer request ends the one before.
+    this.cancel();
+    this.notes = [];
+    this.held = null;
+    const words = [asModel(project.name), ...project.rest, ...wordsOf(project.options)];
+    let result = await this.#call({call: "make", files: project.files, words});
+    const surface = surfaceIn(result.fold);
+    const carried = this.#carried(project.steps, history, surface);
+    const there = [...carried.keys()].filter((i) => carried[i] !== null);
+    /** @type {number[]} */
+    let leftOut = [];
+    if (there.length > 0) {
+      result = await this.#call({call: "repeat", steps: there.map((i) => carried[i])});
+      leftOut = (result.left_out ?? []).map((/** @type {number} */ k) => there[k]);
     }
-    const project = /** @type {Project} */ (this.project);
-    return this.#state({...project, ...after(project)}, result);
+    const left = [...carried.keys()].filter((i) => carried[i] === null || leftOut.includes(i));
+    const live = there.filter((i) => !leftOut.includes(i)).map((i) => String(carried[i]));
+    this.held = {files: project.files, words: words.join("\n"), live: [...live]};
+    return {state: this.#state(project, result, left), left, live, surface: history.numberOf(surface)};
   }
 
-  /** @param {Project} project @param {any} result @returns {State} */
-  #state(project, result) {
-    this.project = project;
+  /** The steps by the names of a surface; none for what isn't there. @param {string[]} steps @param {History} history
+   * @param {import("./carry.js").Surface | null} surface @returns {(string | null)[]} */
+  #carried(steps, {bases, surfaces}, surface) {
+    /** @type {Map<number, Carrier | null>} */
+    const carriers = new Map();
+    return steps.map((line, i) => {
+      const base = surfaces[bases[i]];
+      if (!base || !surface) {
+        return line;
+      }
+      if (!carriers.has(bases[i])) {
+        carriers.set(bases[i], isSameSurface(base, surface) ? null : new Carrier(base, surface));
+      }
+      const carrier = carriers.get(bases[i]);
+      return carrier ? carrier.line(line) : line;
+    });
+  }
+
+  /** @param {Project} project @param {any} result @param {number[]} left @returns {State} */
+  #state(project, result, left) {
+    return {revision: 0, options: project.options, fold: result.fold, sheets: result.sheets, notes: this.notes, figures: result.summary,
+      canUndo: false, canRedo: false, busy: false, pinned: result.pinned ?? [], left: left.map((i) => project.steps[i])};
+  }
+
+  /** @param {State} state @returns {State} */
+  #shown(state) {
     this.revision += 1;
-    return {revision: this.revision, options: project.options, fold: result.fold, sheets: result.sheets, notes: this.notes, figures: result.summary,
-      canUndo: project.steps.length > 0, canRedo: project.undone.length > 0, busy: false, pinned: result.pinned ?? []};
+    const {canUndo, canRedo} = this.history;
+    return {...state, revision: this.revision, canUndo, canRedo};
   }
 
   /** @param {Record<string, unknown>} message @returns {Promise<any>} */
@@ -278,7 +439,7 @@ export class WorkerBackend {
     if (data.stage !== undefined) {
       this.progressListeners.forEach((listener) => listener(data.stage, data.share));
     } else if (data.note !== undefined) {
-      const note = {text: sayMessage(data.note)};
+      const note = {text: sayMessage(data.note), code: data.note.code};
       this.notes.push(note);
       this.noteListeners.forEach((listener) => listener(note));
     } else if (data.broken !== undefined) {
@@ -294,7 +455,7 @@ export class WorkerBackend {
   #end(error) {
     this.worker?.terminate();
     this.worker = null;
-    this.made = false;
+    this.held = null;
     const calls = [...this.calls.values()];
     this.calls.clear();
     calls.forEach(({reject}) => reject(error));

@@ -12,6 +12,7 @@
 #include "export/export.hpp"
 #include "job/options.hpp"
 #include "segment/segment.hpp"
+#include "solid/solid.hpp"
 
 namespace ridgecraft::cli {
 
@@ -52,6 +53,13 @@ struct MakeJob {
   job::Options options;  ///< but for the edges that these name:
   EdgeArguments edges;
   std::string tab_file;  ///< tabs edge by edge; empty: none
+  /// The options about paper as they were typed, "--size=20cm"; files that they name without their folders.
+  std::vector<std::string> words;
+  std::string edits;    ///< what was done by hand, a step a line (session/edit.hpp)
+  std::string project;  ///< the file that model, options and edits come from; empty: none
+
+  /// What the user named.
+  [[nodiscard]] const std::string& input() const { return project.empty() ? model : project; }
 };
 
 struct InfoJob {
@@ -89,12 +97,12 @@ struct UnfoldJob {
 struct HullsJob {
   CommonOptions common;
   std::string model;
-  std::string output;  ///< .obj or .urdf
+  std::string output;  ///< its suffix says the format: hull_suffixes()
   bool overwrite = false;
   PartArguments parts;
-  std::size_t max_vertices = 0;       ///< 0: no limit
-  std::optional<double> mm_per_unit;  ///< --unit, for .urdf
-  double density = 1000.0;            ///< kg/m^3, for .urdf
+  solid::HullOptions limits;
+  std::optional<double> mm_per_unit;  ///< --unit, for formats in metres
+  double density = 1000.0;            ///< kg/m^3
 };
 
 struct CageJob {
@@ -142,12 +150,30 @@ struct FormatsJob {
   bool presets = false;  ///< the table of presets alone
 };
 
+/// One verb for many models.
+struct BatchJob {
+  CommonOptions common;
+  std::string verb;                ///< "hulls", "segment", "unfold", "paper" or "info"
+  std::string input;               ///< a folder, a list, a model, or - for a list on standard input
+  std::vector<std::string> words;  ///< options of the verb, as they were typed
+  std::string output;              ///< folder
+  std::string suffix;              ///< of the results: their format; empty for info
+  std::string report;              ///< empty: in the output folder
+  unsigned jobs = 1;
+  std::size_t shard = 1;  ///< 1 ... shards: of the models every `shards`th from here
+  std::size_t shards = 1;
+  std::optional<double> seconds;   ///< a model
+  std::uint64_t memory_bytes = 0;  ///< a model; 0: no limit
+  bool resume = false;
+  bool overwrite = false;
+};
+
 /// Text to print, and then the program ends: --help, --version, the man page.
 struct PrintJob {
   std::string text;
 };
 
 using Job = std::variant<MakeJob, InfoJob, SegmentJob, UnfoldJob, HullsJob, CageJob, ShellJob, DeformJob,
-                         VerifyJob, StudioJob, FormatsJob, PrintJob>;
+                         VerifyJob, StudioJob, FormatsJob, BatchJob, PrintJob>;
 
 }  // namespace ridgecraft::cli

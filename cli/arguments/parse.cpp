@@ -17,9 +17,9 @@ namespace {
 using Builder = Job (*)(const Arguments*, Manual*);
 
 constexpr std::pair<std::string_view, Builder> verbs[] = {
-    {"info", build_info},     {"segment", build_segment}, {"unfold", build_unfold}, {"verify", build_verify},
-    {"hulls", build_hulls},   {"cage", build_cage},       {"shell", build_shell},   {"deform", build_deform},
-    {"studio", build_studio}, {"formats", build_formats}};
+    {"info", build_info},     {"segment", build_segment}, {"unfold", build_unfold},  {"verify", build_verify},
+    {"hulls", build_hulls},   {"cage", build_cage},       {"shell", build_shell},    {"deform", build_deform},
+    {"studio", build_studio}, {"batch", build_batch},     {"formats", build_formats}};
 
 Manual manual_of(Builder build) {
   Manual manual;

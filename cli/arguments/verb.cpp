@@ -183,7 +183,13 @@ Verb& Verb::list(const std::string& group, const std::string& names, std::vector
       ->group(group)
       ->type_name(type)
       ->expected(1)
+      ->allow_extra_args(false)  // one value each time: what follows is the model, or another file
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  return *this;
+}
+
+Verb& Verb::takes_several(const std::string& name) {
+  parser_->app.get_option(name)->allow_extra_args(true);
   return *this;
 }
 

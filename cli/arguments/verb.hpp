@@ -73,8 +73,11 @@ class Verb {
   Verb& option(const std::string& group, const std::string& names, std::string& value,
                const std::string& type, const std::string& text);
   /// An option that may be given several times.
+  /// Takes one value each time that it is given.
   Verb& list(const std::string& group, const std::string& names, std::vector<std::string>& values,
              const std::string& type, const std::string& text);
+  /// A list that may take several values at a time, as a shell's patterns give them.
+  Verb& takes_several(const std::string& name);
   Verb& flag(const std::string& group, const std::string& names, bool& value, const std::string& text);
 
   /// An option of the table; `group` and `help` go before the row's where they aren't empty.

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <filesystem>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -261,10 +263,11 @@ ManualSection verbs_section() {
            {"segment MODEL", "Cut a model into nearly convex parts; coloured mesh and labels."},
            {"unfold MODEL", "Nets without pages, as a FOLD file."},
            {"verify FILE.fold", "Check a file of nets: lengths, overlaps, pages, joins, refolding."},
-           {"hulls MODEL", "One convex hull per part, as OBJ or URDF."},
+           {"hulls MODEL", "Convex hulls for physics engines, in their formats."},
            {"cage MODEL", "A coarse closed mesh around a model."},
            {"shell MODEL", "A watertight mesh around a broken model."},
            {"deform MODEL", "Move a model as the cage around it is moved."},
+           {"batch VERB LIST", "One verb for many models, each in a process of its own, and a report."},
            {"studio [MODEL]", "A page in the browser that makes paper, with controls for all wishes."},
            {"formats", "The formats that are read and written."}}};
 }
@@ -324,6 +327,31 @@ void set_ink(const job::AskedOptions& asked, MakeJob& job) {
   }
 }
 
+/// A name without its folder.
+std::string bare_name(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+std::vector<std::string> words_of(const job::AskedOptions& asked) {
+  std::vector<std::string> words;
+  for (const Option& row : option_table()) {
+    if (!asked.given(row.name) || is_of_run(row.name)) {
+      continue;
+    }
+    const std::string word = "--" + std::string(row.name);
+    if (row.kind == OptionKind::flag) {
+      words.push_back(word);
+    } else if (row.kind == OptionKind::list) {
+      std::ranges::transform(asked.texts(row.name), std::back_inserter(words),
+                             [&](const std::string& text) { return word + "=" + text; });
+    } else {
+      const std::string text = asked.text(row.name);
+      words.push_back(word + "=" + (row.kind == OptionKind::file ? bare_name(text) : text));
+    }
+  }
+  return words;
+}
+
 MakeJob job_of(const job::AskedOptions& asked, std::string model) {
   require(model, "name the model to turn into paper", "ridgecraft");
   MakeJob job;
@@ -333,6 +361,7 @@ MakeJob job_of(const job::AskedOptions& asked, std::string model) {
   job.overwrite = asked.flag("overwrite");
   job.page = !asked.flag("no-page");
   job.tab_file = asked.text("tab-file");
+  job.words = words_of(asked);
   job.options.guide = !asked.flag("no-guide");
   job.options.size.adapts = true;
   job.options = job::options_of(asked, std::move(job.options));
@@ -347,6 +376,13 @@ MakeJob job_of(const job::AskedOptions& asked, std::string model) {
 }
 
 }  // namespace
+
+bool is_of_run(std::string_view option) {
+  constexpr std::array<std::string_view, 10> of_run{"output",  "no-guide",  "no-page", "overwrite",
+                                                    "strict",  "json",      "quiet",   "verbose",
+                                                    "threads", "time-limit"};
+  return std::find(of_run.begin(), of_run.end(), option) != of_run.end();
+}
 
 Job build_make(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft",

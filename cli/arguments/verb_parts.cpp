@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <string>
 
 #include "base/option_values.hpp"
@@ -38,8 +39,8 @@ void PartTexts::add_to(Verb& verb) {
               "Parts to give for a volume ratio (hulls of the parts to the model) less by 1; 0 asks for the "
               "fewest parts whatever their hulls (0; 5 with --effort 2 and 3 and with --planes).");
   verb.flag("Parts", "--planes", options.planes,
-            "Cut by planes, too, where that saves more volume than its pieces are worth by --volume-weight: "
-            "cups and boxes without lid become sectors. For other uses than paper.");
+            "Cut by planes, too, where that saves more volume than its pieces are worth by --volume-weight; "
+            "for openings see --pockets. For other uses than paper.");
   verb.flag(
       "Parts", "--pockets", options.pockets,
       "Leave no pocket: no air deeper than the tolerance under a part's hull. Cups and boxes without lid "
@@ -118,10 +119,18 @@ Job build_segment(const Arguments* arguments, Manual* manual) {
       "Another segmentation of the same polygons: how far ours disagrees with it (1 - Rand index, Hamming "
       "distance, consistency errors, cut discrepancy), and the volume of our parts' hulls. May be given "
       "several times.");
+  verb.takes_several("--compare");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   parts.add_to(verb);
   add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
+    // Behind --compare the model is told from segmentations by its suffix.
+    const auto model = std::find_if(job.compare.begin(), job.compare.end(),
+                                    [](const std::string& file) { return !file.ends_with(".seg"); });
+    if (job.model.empty() && model != job.compare.end()) {
+      job.model = *model;
+      job.compare.erase(model);
+    }
     require(job.model, "name the model to segment", "ridgecraft segment");
     job.common = common_of(asked);
     job.parts = parts.checked();
@@ -135,7 +144,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft hulls", "one convex hull per nearly convex part, for physics engines");
   verb.usage("ridgecraft hulls MODEL -o HULLS.obj [--max-vertices N] [options]");
   verb.example("ridgecraft hulls dinosaur.obj -o dinosaur-hulls.obj --max-vertices 64",
-               "One object per hull; every hull encloses its part.");
+               "One object per hull; together they hold all that the model encloses.");
   verb.example("ridgecraft hulls dinosaur.obj -o few.obj --effort 3 --planes --volume-weight 8",
                "Fewer hulls that lie closer, for about 25 times the work.");
   verb.example("ridgecraft hulls dinosaur.obj -o dinosaur.urdf --unit m",
@@ -143,17 +152,23 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
   HullsJob job;
   job::AskedOptions asked;
   PartTexts parts;
-  std::string vertices, unit, density;
+  std::string hulls, vertices, unit, density;
   add_model(verb, job.model);
-  verb.option("Output", "-o,--output", job.output, "FILE", ".obj, or .urdf with its meshes next to it.");
+  verb.option("Output", "-o,--output", job.output, "FILE",
+              ".obj, one object a hull; .urdf (ROS), .xml (MuJoCo) or .sdf (Gazebo) with their meshes next "
+              "to them; .usda "
+              "(UsdPhysics) or .glb (KHR_physics_rigid_bodies).");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
+  verb.option("Hulls", "--max-hulls", hulls, "N",
+              "At most this many hulls: those whose joint hull adds least volume are joined (no limit).");
   verb.option(
       "Hulls", "--max-vertices", vertices, "N",
       "At most this many vertices a hull, 8 or more; it grows instead of leaving anything out: by about 4 % "
       "with 64, half with 16 (no limit).");
-  verb.option("Hulls", "--unit", unit, "UNIT",
-              "Unit of the file's numbers for .urdf: mm, cm, m, in, ft (what the file says, else mm).");
-  verb.option("Hulls", "--density", density, "KG/M3", "For mass and inertia in .urdf (1000).");
+  verb.option(
+      "Hulls", "--unit", unit, "UNIT",
+      "Unit of the file's numbers, for all but .obj: mm, cm, m, in, ft (what the file says, else mm).");
+  verb.option("Hulls", "--density", density, "KG/M3", "For mass and inertia, in all but .obj (1000).");
   parts.add_to(verb);
   add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
@@ -162,11 +177,14 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
     job.common = common_of(asked);
     job.parts = parts.checked();
     if (!vertices.empty()) {
-      job.max_vertices = whole_number_or_refuse("--max-vertices", vertices, 8);
+      job.limits.max_vertices = whole_number_or_refuse("--max-vertices", vertices, 8);
     }
-    if ((!unit.empty() || !density.empty()) && suffix_of(job.output) != ".urdf") {
-      refuse("--unit and --density tell a .urdf's metres and masses; with -o " + job.output +
-             " they have no effect");
+    if (!hulls.empty()) {
+      job.limits.max_hulls = whole_number_or_refuse("--max-hulls", hulls, 1);
+    }
+    if ((!unit.empty() || !density.empty()) && suffix_of(job.output) == ".obj") {
+      refuse("--unit and --density are for formats with metres and masses, such as .urdf; with -o " +
+             job.output + " they have no effect");
     }
     if (!unit.empty()) {
       job.mm_per_unit = unit_or_refuse("--unit", unit);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // ridgecraft unfold
+#include "cli/arguments/verbs.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -94,8 +96,16 @@ Job build_verify(const Arguments* arguments, Manual* manual) {
       "Input", "--pages", job.pages, "FILE",
       "What is printed, as PDF or SVG, one file or several: does it show the outlines, folds and bases of "
       "tabs of the nets, and no other, in true size?");
+  verb.takes_several("--pages");
   add_common(verb, asked);
   return verb.finish(arguments, manual, [&]() -> Job {
+    // Behind --pages the nets are told from pages by their suffix.
+    const auto nets =
+        std::ranges::find_if(job.pages, [](const std::string& page) { return page.ends_with(".fold"); });
+    if (job.file.empty() && nets != job.pages.end()) {
+      job.file = *nets;
+      job.pages.erase(nets);
+    }
     require(job.file, "name the .fold file to check", "ridgecraft verify");
     job.common = common_of(asked);
     return job;

@@ -2,10 +2,15 @@
 // The verbs: each has its options and texts in a file verb_NAME.cpp (those of solid/ share one).
 #pragma once
 
+#include <string_view>
+
 #include "cli/arguments/options.hpp"
 #include "cli/arguments/verb.hpp"
 
 namespace ridgecraft::cli {
+
+/// Whether an option is about a run and its files ("output"), not about the paper: projects have none such.
+[[nodiscard]] bool is_of_run(std::string_view option);
 
 /// Each parses the arguments into a job, or, without arguments, fills in the manual.
 [[nodiscard]] Job build_make(const Arguments* arguments, Manual* manual);
@@ -18,6 +23,7 @@ namespace ridgecraft::cli {
 [[nodiscard]] Job build_deform(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_verify(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_studio(const Arguments* arguments, Manual* manual);
+[[nodiscard]] Job build_batch(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_formats(const Arguments* arguments, Manual* manual);
 
 /// What build_make returns for --man-page: the text is the caller's to make, from all manuals.

@@ -43,6 +43,10 @@ constexpr std::array paper_formats{
              {".html", "a page for any browser: the model, its sheets, how it folds and is built; default"},
              false,
              true},
+    PaperRow{Format::project,
+             {".ridgecraft", "a project: model, options and edits, to go on with in the studio"},
+             false,
+             false},
     PaperRow{Format::png, {".png", "pages as pictures"}, true, false},
     PaperRow{Format::dxf,
              {".dxf", "pieces for cutters and lasers, a layer for each operation"},
@@ -59,7 +63,11 @@ constexpr std::array verb_formats{Row{".fold", "nets without pages (unfold)"},
                                   Row{".seg", "part numbers (segment --labels; any suffix)"},
                                   Row{".json", "how parts join to fewer (segment --hierarchy; any suffix)"},
                                   Row{".obj", "an object per hull (hulls); meshes (cage, shell, deform)"},
-                                  Row{".urdf", "a robot description with its hulls next to it (hulls)"}};
+                                  Row{".urdf", "ROS: a robot description with its hulls next to it (hulls)"},
+                                  Row{".xml", "MuJoCo: MJCF with its hulls next to it (hulls)"},
+                                  Row{".sdf", "Gazebo: SDFormat with its hulls next to it (hulls)"},
+                                  Row{".usda", "Isaac Sim, Newton: USD as text, with UsdPhysics (hulls)"},
+                                  Row{".glb", "web: glTF 2 with KHR_physics_rigid_bodies (hulls)"}};
 
 const PaperRow& row(Format format) {
   return *std::find_if(paper_formats.begin(), paper_formats.end(),
@@ -67,6 +75,10 @@ const PaperRow& row(Format format) {
 }
 
 }  // namespace
+
+std::vector<std::string> hull_suffixes() {
+  return {".obj", ".urdf", ".xml", ".sdf", ".usda", ".glb"};
+}
 
 std::vector<FormatRow> read_formats() {
   return {read_rows.begin(), read_rows.end()};

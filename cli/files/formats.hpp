@@ -14,7 +14,7 @@
 namespace ridgecraft::cli {
 
 /// What the main job writes.
-enum class Format { pdf, svg, fold, html, png, dxf, lbrn, eps, plt };
+enum class Format { pdf, svg, fold, html, project, png, dxf, lbrn, eps, plt };
 
 /// The main job's format with this suffix (lower case, with its dot); none where it writes no such files.
 [[nodiscard]] std::optional<Format> paper_format(std::string_view suffix);
@@ -36,6 +36,9 @@ enum class Format { pdf, svg, fold, html, png, dxf, lbrn, eps, plt };
 
 /// The suffix in lower case, with its dot.
 [[nodiscard]] std::string suffix_of(const std::filesystem::path& file);
+
+/// What ridgecraft hulls writes.
+[[nodiscard]] std::vector<std::string> hull_suffixes();
 
 /// A format of any verb: ".obj", and what it is.
 struct FormatRow {

@@ -24,6 +24,7 @@
 #include "job/asked_options.hpp"
 #include "mesh/model/soup.hpp"
 #include "mesh/reading/files.hpp"
+#include "session/project_file.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -292,7 +293,11 @@ EdgeFiles read_edge_files(const EdgeArguments& edges) {
     std::string bytes = mesh::read_file(name);
     return EdgeFile{name, std::move(bytes)};
   };
-  return {read(edges.cuts), read(edges.keep), read(edges.from)};
+  EdgeFiles files{read(edges.cuts), read(edges.keep), read(edges.from)};
+  if (files.from && session::holds_project(files.from->bytes)) {
+    files.from->bytes = session::read_project(files.from->name, files.from->bytes).nets;
+  }
+  return files;
 }
 
 std::vector<InputFile> input_files(const EdgeArguments& edges) {

@@ -16,9 +16,11 @@
 #include "base/text.hpp"
 #include "cli/files/input_files.hpp"
 #include "cli/files/targets.hpp"
+#include "cli/jobs/project_job.hpp"
 #include "cli/jobs/stages.hpp"
 #include "export/sheet/drawing.hpp"
 #include "mesh/reading/files.hpp"
+#include "session/session.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -280,6 +282,19 @@ FilesBeside read_beside(const MakeJob& job) {
   return {read_edge_files(job.edges), read_tab_file(job.tab_file, tab_file), digest(tab_file)};
 }
 
+/// Does again what was done by hand; a note where some of it can't be.
+void repeat_edits(const MakeJob& job, const Context& context, MakeResult& result) {
+  if (job.edits.empty()) {
+    return;
+  }
+  session::Repeated repeated = session::repeat(std::move(result.made), session::steps_of(job.edits), context);
+  result.made = std::move(repeated.project.now);
+  if (const std::size_t count = repeated.left_out.size(); count > 0) {
+    result.file_notes.push_back(counted(count, "change") + " by hand can't be made on these nets and " +
+                                (count == 1 ? "is" : "are") + " left out");
+  }
+}
+
 job::Options options_with(const FilesBeside& beside, const MakeJob& job, bool guide) {
   job::Options options = job.options;
   options.guide = guide;
@@ -329,7 +344,10 @@ std::string file_bytes(const Target& target, std::size_t i, const Sheets& sheets
     case Format::fold:
       return sheets.made.fold;
     case Format::html:
-      return export_::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark);
+      return with_project(export_::write_html(sheets.made.fold, sheets.made.drawings, sheets.made.mark), job,
+                          sheets.made);
+    case Format::project:
+      return project_bytes(job, sheets.made);
   }
   RIDGECRAFT_ASSERT(false);
   return {};
@@ -355,6 +373,7 @@ MakeResult make_files(const MakeJob& job, const Context& context, PendingFiles& 
   }
   result.made = make(job, options_with(beside, job, has_guide(targets)), beside.edges, std::move(model),
                      context, listener);
+  repeat_edits(job, context, result);
   clock.add(result.made.seconds);
   clock("write", context, [&] {
     const Sheets sheets = sheets_for(targets, result.made, job);
@@ -365,11 +384,12 @@ MakeResult make_files(const MakeJob& job, const Context& context, PendingFiles& 
     require_all_replaceable(job, files, digest);
     add_targets(targets, files, sheets, job, context, pending, result);
     context.check();
-    result.file_notes = pending.commit([&] {
+    std::vector<std::string> notes = pending.commit([&] {
       // Another run may have put files there since.
       require_all_replaceable(job, files, digest);
       return find_leftovers(targets, files, digest, job.page);
     });
+    result.file_notes.insert(result.file_notes.end(), notes.begin(), notes.end());
     if (auto note = note_of_others(targets, files, sheets.mark)) {
       result.file_notes.push_back(std::move(*note));
     }

@@ -85,16 +85,61 @@ void to_file_numbers(std::vector<solid::Body>& bodies, double file_scale) {
   }
 }
 
-void find_hulls(SolidResult& result, const std::string& file, const PartArguments& arguments,
-                std::size_t max_vertices, const Context& context) {
-  const segment::Segmentation parts = result.clock("segment", context, [&] {
+/// Components that are closed and one part, although they have a tunnel, or less than half of the volume of
+/// its hull: what a user may take for open becomes solid.
+std::size_t count_closed_openings(const mesh::Surface& surface, const segment::Segmentation& parts,
+                                  const std::vector<solid::Body>& hulls) {
+  struct Component {
+    std::set<PartId> parts;
+    std::set<VertexId> vertices;
+    std::size_t faces = 0;
+    double volume = 0.0;
+    bool open = false;
+  };
+  std::vector<Component> components(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    Component& component = components[surface.component(f).value()];
+    const auto [a, b, c] = surface.vertices(f);
+    component.parts.insert(parts.part[f]);
+    component.vertices.insert({a, b, c});
+    ++component.faces;
+    component.volume += dot(surface.point(a), cross(surface.point(b), surface.point(c))) / 6.0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      component.open = component.open || !surface.neighbor(CornerId(3 * f.value() + k)).valid();
+    }
+  }
+  const auto is_closed = [&](const Component& component) {
+    if (component.open || component.parts.size() != 1 || component.faces < 4) {
+      return false;
+    }
+    // By Euler's formula; a closed surface has three edges for two faces.
+    const bool has_tunnel = component.vertices.size() <= component.faces / 2;
+    const std::size_t part = component.parts.begin()->value();
+    return has_tunnel || (part < hulls.size() &&
+                          solid::mass_properties(hulls[part]).volume > 2.0 * std::abs(component.volume));
+  };
+  return static_cast<std::size_t>(std::count_if(components.begin(), components.end(), is_closed));
+}
+
+segment::Segmentation find_parts_of(const std::string& file, const PartArguments& arguments,
+                                    const Context& context, SolidResult& result) {
+  segment::Segmentation parts = result.clock("segment", context, [&] {
     std::optional<segment::Hierarchy> hierarchy;
     return find_parts(result.model, file, arguments, hierarchy, context);
   });
   result.parts = parts.parts.size();
-  result.bodies = result.clock("hulls", context, [&] {
-    return solid::part_hulls(result.model.surface, parts, {.max_vertices = max_vertices}, context);
-  });
+  return parts;
+}
+
+/// What of a model its hulls don't hold, in words.
+std::vector<Message> notes_of(const solid::Fit& fit) {
+  if (fit.solid_volume == 0.0) {
+    return {Message("hulls_of_open", {})};
+  }
+  if (fit.uncovered > solid::most_uncovered) {
+    return {Message("hulls_uncovered", {{"percent", fmt::format("{:.2f}", 100.0 * fit.uncovered)}})};
+  }
+  return {};
 }
 
 /// Writes one file, if it may be replaced.
@@ -117,7 +162,8 @@ void commit(
   });
 }
 
-/// A robot description names meshes that lie beside it.
+// Some descriptions name meshes that lie beside them.
+
 std::string visual_file(const fs::path& urdf) {
   return urdf.stem().string() + "-visual.obj";
 }
@@ -136,33 +182,71 @@ void require_companions_replaceable(const HullsJob& job, const std::string& dige
   }
 }
 
-/// The URDF with the meshes that it names, all beside it.
-void add_urdf(const HullsJob& job, SolidResult& result, PendingFiles& pending) {
-  const solid::MassProperties whole = solid::mass_properties(result.bodies);
+/// Whether a format names meshes that lie beside it.
+bool has_companions(const std::string& suffix) {
+  return suffix == ".urdf" || suffix == ".xml" || suffix == ".sdf";
+}
+
+solid::Body body_of(const mesh::Surface& surface) {
+  solid::Body body;
+  body.points.assign(surface.points().begin(), surface.points().end());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    const auto [a, b, c] = surface.vertices(f);
+    body.triangles.push_back({a.value(), b.value(), c.value()});
+  }
+  return body;
+}
+
+/// What a description says of a model: mass and inertia of what it encloses, or where nothing is closed of
+/// the hulls together.
+solid::RigidBody rigid_body(const HullsJob& job, const mesh::Surface& model, const SolidResult& result,
+                            const Context& context) {
+  const std::optional<solid::MassProperties> of_solid = solid::mass_properties(model, context);
+  const solid::MassProperties whole = of_solid ? *of_solid : solid::union_properties(result.bodies, context);
   if (std::any_of(whole.inertia.begin(), whole.inertia.end(), [](double i) { return !std::isfinite(i); })) {
     throw Error(ErrorKind::unusable_mesh,
-                "its numbers are too large or too small for the inertia of a .urdf");
+                "its numbers are too large or too small for the inertia of a " + suffix_of(job.output));
   }
-  const fs::path folder = fs::path(job.output).parent_path();
-  const std::string stem = fs::path(job.output).stem().string();
-  const std::string comment = comment_of(result.model);
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    add_file(folder / name, bytes, result.model.digest, job.overwrite, pending, result.files);
-  };
-  solid::UrdfOptions options{
-      .name = stem,
-      .comment = comment,
+  solid::RigidBody body{
+      .name = fs::path(job.output).stem().string(),
+      .comment = comment_of(result.model),
       .visual_file = visual_file(job.output),
       .mesh_files = {},
       .metres_per_unit = job.mm_per_unit.value_or(result.model.frame.mm_per_unit.value_or(1.0)) / 1000.0,
-      .density = job.density};
+      .density = job.density,
+      .mass = whole};
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
-    options.mesh_files.push_back(hull_file(job.output, i + 1));
+    body.mesh_files.push_back(hull_file(job.output, i + 1));
   }
-  add(fs::path(job.output).filename().string(), solid::write_urdf(result.bodies, options));
-  add(options.visual_file, mesh_bytes(mesh::surface_in_file_numbers(result.model), ".obj", comment));
+  return body;
+}
+
+/// Hulls in the format of the output's suffix, with the meshes that it names beside it.
+void add_hulls(const HullsJob& job, const Context& context, SolidResult& result, PendingFiles& pending) {
+  const std::string suffix = suffix_of(job.output);
+  const fs::path output(job.output);
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    add_file(output.parent_path() / name, bytes, result.model.digest, job.overwrite, pending, result.files);
+  };
+  const std::string file = output.filename().string();
+  if (suffix == ".obj") {
+    add(file, solid::write_obj(result.bodies, comment_of(result.model)));
+    return;
+  }
+  const mesh::Surface model = mesh::surface_in_file_numbers(result.model);
+  const solid::RigidBody body = rigid_body(job, model, result, context);
+  if (!has_companions(suffix)) {
+    const auto write = suffix == ".glb" ? solid::write_glb : solid::write_usd;
+    add(file, write(body, body_of(model), result.bodies));
+    return;
+  }
+  const auto write = suffix == ".urdf"  ? solid::write_urdf
+                     : suffix == ".sdf" ? solid::write_sdf
+                                        : solid::write_mjcf;
+  add(file, write(body));
+  add(body.visual_file, mesh_bytes(model, ".obj", body.comment));
   for (std::size_t i = 0; i < result.bodies.size(); ++i) {
-    add(options.mesh_files[i], solid::write_obj({result.bodies[i]}, comment));
+    add(body.mesh_files[i], solid::write_obj({result.bodies[i]}, body.comment));
   }
 }
 
@@ -217,23 +301,30 @@ solid::Body read_cage(const std::string& file, const Context& context) {
 }  // namespace
 
 SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles& pending) {
-  SolidResult result = begin(job, {".obj", ".urdf"}, "hulls are written as .obj or .urdf", context);
-  if (suffix_of(job.output) == ".urdf") {
+  SolidResult result = begin(job, hull_suffixes(),
+                             "hulls are written as .obj, .urdf, .xml (MJCF), .sdf, .usda or .glb", context);
+  const bool companions = has_companions(suffix_of(job.output));
+  if (companions) {
     require_companions_replaceable(job, result.model.digest);
   }
-  find_hulls(result, shown_name(job.model), job.parts, job.max_vertices, context);
+  const segment::Segmentation parts = find_parts_of(shown_name(job.model), job.parts, context, result);
+  solid::HullSet set = result.clock(
+      "hulls", context, [&] { return solid::model_hulls(result.model.surface, parts, job.limits, context); });
+  result.bodies = std::move(set.bodies);
+  result.fit = set.fit;
+  result.notes = notes_of(set.fit);
+  if (result.bodies.size() == parts.parts.size() && !job.parts.options.pockets) {
+    if (const std::size_t closed = count_closed_openings(result.model.surface, parts, result.bodies);
+        closed > 0) {
+      result.notes.push_back(Message("hulls_close_openings", {{"n", closed}}));
+    }
+  }
   result.clock("write", context, [&] {
     to_file_numbers(result.bodies, result.model.file_scale);
-    if (suffix_of(job.output) == ".urdf") {
-      add_urdf(job, result, pending);
-      context.check();
-      commit(job.overwrite, pending, result, [&] { return find_leftovers(job, result); });
-    } else {
-      add_file(job.output, solid::write_obj(result.bodies, comment_of(result.model)), result.model.digest,
-               job.overwrite, pending, result.files);
-      context.check();
-      commit(job.overwrite, pending, result);
-    }
+    add_hulls(job, context, result, pending);
+    context.check();
+    commit(job.overwrite, pending, result,
+           [&] { return companions ? find_leftovers(job, result) : std::vector<fs::path>(); });
     return true;
   });
   return result;
@@ -241,10 +332,11 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
 
 SolidResult make_cage(const CageJob& job, const Context& context, PendingFiles& pending) {
   SolidResult result = begin(job, mesh_suffixes, mesh_formats, context);
-  find_hulls(result, shown_name(job.model), job.parts, 0, context);
-  const solid::Body cage = result.clock(
-      "cage", context, [&] { return solid::cage(result.bodies, {.faces = job.faces}, context); });
-  result.bodies = {cage};
+  const segment::Segmentation parts = find_parts_of(shown_name(job.model), job.parts, context, result);
+  const std::vector<solid::Body> hulls = result.clock(
+      "hulls", context, [&] { return solid::part_hulls(result.model.surface, parts, {}, context); });
+  result.bodies = {
+      result.clock("cage", context, [&] { return solid::cage(hulls, {.faces = job.faces}, context); })};
   write_body(job.output, job.overwrite, context, pending, result);
   return result;
 }

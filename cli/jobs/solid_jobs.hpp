@@ -2,6 +2,7 @@
 // The jobs of the verbs hulls, cage, shell and deform.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SolidResult {
   mesh::Model model;
   std::size_t parts = 0;            ///< 0 where nothing was segmented
   std::vector<solid::Body> bodies;  ///< what was written
+  std::optional<solid::Fit> fit;    ///< of hulls
   std::vector<Message> notes;
   std::vector<std::string> files;
   std::vector<std::string> file_notes;  ///< PendingFiles::commit

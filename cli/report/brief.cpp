@@ -16,6 +16,7 @@
 #include "cli/report/net_figures.hpp"
 #include "export/view/camera.hpp"
 #include "job/remark.hpp"
+#include "prepare/prepare.hpp"
 #include "prepare/prepared/prepared.hpp"
 #include "prepare/selection/selection.hpp"
 
@@ -25,14 +26,12 @@ namespace {
 /// A surface that moved less has moved by rounding in the file, mm.
 constexpr double seen_mm = 0.005;
 
-/// ": at 150 mm folds or faces would be too small" or another reason, where nobody asked for the size that
+/// ": at 150 mm too many folds would be too short" or another reason, where nobody asked for the size that
 /// it has.
 std::string why_size(const job::Result& made) {
   switch (made.prepared.size_reason) {
     case prepare::SizeReason::folds:
-      return ": at 150 mm folds or faces would be too small";
-    case prepare::SizeReason::room:
-      return ": at 150 mm many tabs and numbers would be too small";
+      return ": at 150 mm too many folds would be too short";
     case prepare::SizeReason::shape:
       return ": at 150 mm simplification would change its shape";
     case prepare::SizeReason::pages:
@@ -63,7 +62,7 @@ std::string counted_bodies(std::size_t count) {
 
 /// Whether a model that is too fine was left as it is because edges are named, or marked in its file.
 bool is_kept_for_edges(const MakeJob& job, const job::Result& made) {
-  return made.prepared.simplified.still_too_fine &&
+  return prepare::is_too_fine(made.prepared) &&
          job.options.simplify.mode == prepare::Simplification::automatic &&
          made.used.simplify.mode == prepare::Simplification::keep;
 }
@@ -188,8 +187,12 @@ std::string numbers_without_room(const MakeJob& job, const MakeResult& result) {
 std::string hard_line(const MakeJob& job, const MakeResult& result, const GlueFigures& glue) {
   const job::Result& made = result.made;
   Clauses clauses;
-  if (const auto why = job::verdict(made.prepared, made.used.simplify,
-                                    job::larger_size_is_sure(made.cleanup, made.skin))) {
+  for (const Message& note : made.nets.notes) {
+    if (note.code == "instead") {
+      clauses.push_back(english(note));
+    }
+  }
+  if (const auto why = job::verdict(made.prepared, job::larger_size_is_sure(made.cleanup, made.skin))) {
     clauses.push_back(english(*why));
   }
   if (std::string why =
@@ -272,7 +275,7 @@ std::string next_line(const MakeJob& job, const MakeResult& result, const GlueFi
   if (!guides.empty()) {
     clauses.push_back("build it by " + listed(guides, "or"));
   }
-  if (made.prepared.simplified.still_too_fine && made.prepared.smallest_size_mm) {
+  if (prepare::is_too_fine(made.prepared) && made.prepared.smallest_size_mm) {
     clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
                                   job::larger_size_is_sure(made.cleanup, made.skin) ? "can" : "may"));
   } else if (lacks_tabs(made, glue)) {
@@ -330,6 +333,11 @@ std::string details_text(const prepare::Details& details) {
         details.low == 1
             ? "1 body that stands out too little to be folded"
             : fmt::format("{} bodies that stand out of others by less than can be folded", details.low));
+  }
+  if (details.loose > 0) {
+    clauses.push_back(details.loose == 1
+                          ? "1 body that nothing held any more"
+                          : fmt::format("{} bodies that nothing held any more", details.loose));
   }
   return listed(clauses, "and");
 }

@@ -135,11 +135,11 @@ void Summary::add(std::string_view key, Value value, std::string_view unit) {
 void Summary::add(std::string_view key, Value value, Line line, std::string_view label, std::string sentence,
                   std::string_view unit) {
   RIDGECRAFT_ASSERT(unit.empty() || key.ends_with(fmt::format("_{}", unit)));
-  figures_.push_back({key, std::move(value), unit, line, label, std::move(sentence)});
+  figures_.push_back({key, std::move(value), unit, line, std::string(label), std::move(sentence)});
 }
 
 void Summary::say(Line line, std::string_view label, std::string sentence) {
-  figures_.push_back({{}, {}, {}, line, label, std::move(sentence)});
+  figures_.push_back({{}, {}, {}, line, std::string(label), std::move(sentence)});
 }
 
 void Summary::add_seconds(const job::StageSeconds& seconds) {

@@ -53,8 +53,8 @@ struct Figure {
   Value value;
   std::string_view unit;  ///< "mm" and so on; the key ends with it. Empty for counts, names and texts
   Line line = Line::nets;
-  std::string_view label;  ///< of the sentence's line: one word
-  std::string sentence;    ///< empty for what machines alone are told; further lines of one label behind "\n"
+  std::string label;     ///< of the sentence's line: one word
+  std::string sentence;  ///< empty for what machines alone are told; further lines of one label behind "\n"
 };
 
 enum class Detail { brief, all };

@@ -289,6 +289,35 @@ Summary summary(const SegmentJob& job, const SegmentResult& result) {
   return summary;
 }
 
+namespace {
+
+void add_fit(Summary& summary, const solid::Fit& fit) {
+  const bool known = fit.solid_volume > 0.0;
+  summary.add("volume_ratio", known ? Value(fit.union_volume / fit.solid_volume) : Value(), Line::nets,
+              "volume",
+              known ? fmt::format("{:.3f} times the model's; {:.2f} % of the model is in no hull",
+                                  fit.union_volume / fit.solid_volume, 100.0 * fit.uncovered)
+                    : "unknown: no component of the model is closed");
+  summary.add("uncovered", known ? Value(fit.uncovered) : Value());
+}
+
+}  // namespace
+
+Summary summary(const BatchJob& job, const BatchResult& result) {
+  Summary summary(job.input + ": " + counted(result.models, "model"));
+  summary.add("models", result.models);
+  summary.add("done_before", result.done_before, Line::nets, "before",
+              result.done_before > 0 ? counted(result.done_before, "model") + " by an earlier run" : "");
+  Value codes(Value::List{});
+  for (const auto& [code, count] : result.codes) {
+    codes.add(Value::Object{{"exit_code", code}, {"models", count}});
+    summary.say(Line::nets, code == 0 ? "done" : fmt::format("code {}", code), counted(count, "model"));
+  }
+  summary.add("codes", std::move(codes));
+  summary.add("report", result.report, Line::nets, "report", result.report);
+  return summary;
+}
+
 Summary summary(const std::string& model, const SolidResult& result) {
   std::size_t points = 0;
   std::size_t triangles = 0;
@@ -308,6 +337,9 @@ Summary summary(const std::string& model, const SolidResult& result) {
   summary.add("bodies", std::move(bodies), Line::nets, "result",
               fmt::format("{} {}, {} vertices, {} faces", result.bodies.size(),
                           result.bodies.size() == 1 ? "body" : "bodies", points, triangles));
+  if (result.fit) {
+    add_fit(summary, *result.fit);
+  }
   summary.add_notes(result.notes);
   summary.add_seconds(result.clock.seconds());
   summary.add_repairs(result.model.repairs);

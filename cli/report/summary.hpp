@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/arguments/options.hpp"
+#include "cli/jobs/batch_job.hpp"
 #include "cli/jobs/make_job.hpp"
 #include "cli/jobs/segment_job.hpp"
 #include "cli/jobs/solid_jobs.hpp"
@@ -26,6 +27,8 @@ namespace ridgecraft::cli {
 
 /// verify; `file` as the user named it.
 [[nodiscard]] Summary summary(const std::string& file, const verify::Report& report);
+
+[[nodiscard]] Summary summary(const BatchJob& job, const BatchResult& result);
 
 /// ridgecraft formats
 /// The presets alone, or all formats with the presets' names.

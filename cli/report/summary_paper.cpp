@@ -16,6 +16,7 @@
 #include "cli/report/summary.hpp"
 #include "job/remark.hpp"
 #include "prepare/prepare.hpp"
+#include "unfold/net/chains.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -52,8 +53,10 @@ void add_skin(Summary& summary, const job::Result& made) {
                                       {"left_crossing", skin.left_crossing},
                                       {"standing", made.prepared.attached}});
   const prepare::Details& details = made.cleanup.left_out;
-  summary.add("left_out",
-              Value::Object{{"small", details.small}, {"flat", details.flat}, {"low", details.low}});
+  summary.add(
+      "left_out",
+      Value::Object{
+          {"small", details.small}, {"flat", details.flat}, {"low", details.low}, {"loose", details.loose}});
   const prepare::BlockProxies& plain = made.cleanup.proxies;
   summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
   const prepare::ThinWallReport& sheets = made.cleanup.thin_walls;
@@ -99,17 +102,10 @@ void add_skin(Summary& summary, const job::Result& made) {
 }
 
 Value simplified_value(const prepare::SimplifyReport& report) {
-  return Value::Object{{"faces_before", report.faces_before},
-                       {"faces_after", report.faces_after},
-                       {"deviation_mm", rounded(report.deviation_mm)},
-                       {"evened_mm", rounded(report.asymmetry_mm)},
-                       {"features_removed", report.features_removed},
-                       {"rulings_removed", report.rulings_removed},
-                       {"short_edges_before", rounded(report.short_edges_before)},
-                       {"short_edges_after", rounded(report.short_edges_after)},
-                       {"tiny_edges_after", rounded(report.tiny_edges_after)},
-                       {"cramped_share", rounded(report.cramped_fraction)},
-                       {"still_too_fine", report.still_too_fine}};
+  return Value::Object{
+      {"faces_before", report.faces_before},          {"faces_after", report.faces_after},
+      {"deviation_mm", rounded(report.deviation_mm)}, {"evened_mm", rounded(report.asymmetry_mm)},
+      {"features_removed", report.features_removed},  {"rulings_removed", report.rulings_removed}};
 }
 
 void say_simplified(Summary& summary, const job::Result& made) {
@@ -142,8 +138,7 @@ void say_simplified(Summary& summary, const job::Result& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const auto why = job::verdict(made.prepared, made.used.simplify,
-                                    job::larger_size_is_sure(made.cleanup, made.skin))) {
+  if (const auto why = job::verdict(made.prepared, job::larger_size_is_sure(made.cleanup, made.skin))) {
     const std::optional<double>& size = made.prepared.smallest_size_mm;
     summary.say(Line::simplified, "too fine",
                 english(*why) + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
@@ -249,7 +244,7 @@ Summary summary(const MakeJob& job, const MakeResult& result) {
   const unfold::Nets& nets = made.nets;
   const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
   Summary summary(fmt::format(
-      "{}: {}, {} on paper, {}", shown_name(job.model), counted(model.polygon_count, "polygon"),
+      "{}: {}, {} on paper, {}", shown_name(job.input()), counted(model.polygon_count, "polygon"),
       counted(made.prepared.panels.count(), "flat face"), bodies_text(model.surface.component_count())));
   summary.add("model", model.name);
   summary.add("faces", model.surface.face_count());
@@ -273,6 +268,7 @@ Summary summary(const MakeJob& job, const MakeResult& result) {
   summary.add("tabs_usable", tabs.usable);
   summary.add("joins_too_narrow", tabs.too_narrow);
   summary.add("joins", nets.joins.size());
+  summary.add("seams", unfold::chains_of(model.surface, nets).size());
   summary.add("joins_without_tab", tabs.without);
   const GlueFigures glue = glue_figures(model.surface, nets, job.options.tabs);
   summary.add("glue_mm", rounded(glue.all_mm), "mm");
@@ -292,6 +288,7 @@ Summary summary(const MakeJob& job, const MakeResult& result) {
   summary.add("smallest_size_mm", Value(made.prepared.smallest_size_mm), "mm");
   add_skin(summary, made);
   summary.add("simplified", simplified_value(made.prepared.simplified));
+  summary.add("short_share", rounded(made.prepared.work.short_share()));
   say_simplified(summary, made);
   say_colours(summary, made);
   summary.add_seconds(result.seconds);
@@ -317,6 +314,7 @@ Summary summary(const UnfoldJob& job, const MakeResult& result) {
               fmt::format("{}, {}{}, {} overlaps", counted(made.part_count, "part"),
                           counted(nets.pieces.size(), "piece"), reasons_text(nets), made.figures.overlaps));
   summary.add("joins", nets.joins.size());
+  summary.add("seams", unfold::chains_of(model.surface, nets).size());
   if (job.options.tabs.wanted) {
     const TabFigures tabs = tab_figures(model.surface, nets, job.options.tabs);
     summary.add("tabs", tabs.tabs, Line::tabs, "tabs", tabs_text(tabs, nets, job.options.tabs));

@@ -3,8 +3,9 @@
 // has every key.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
 #include <numbers>
+#include <set>
 #include <vector>
 
 #include "base/encodings.hpp"
@@ -13,6 +14,7 @@
 #include "export/formats/net_frame.hpp"
 #include "export/formats/write.hpp"
 #include "export/view/camera.hpp"
+#include "unfold/net/chains.hpp"
 
 namespace ridgecraft::export_ {
 namespace {
@@ -149,17 +151,20 @@ void write_assembly(JsonText& json, const Surface& surface, const Nets& nets, co
       json.number(piece.value());
       separator = ",";
     }
-    std::vector<JoinId> joins;
-    std::set_union(step.own.begin(), step.own.end(), step.joins.begin(), step.joins.end(),
-                   std::back_inserter(joins));
+    std::set<std::uint32_t> numbers;
+    for (const auto* joins : {&step.own, &step.joins}) {
+      for (const JoinId join : *joins) {
+        if (!frame.is_slit(surface, nets.joins[join].edge)) {
+          numbers.insert(nets.joins[join].number);
+        }
+      }
+    }
     json.raw("],\"joins\":[");
     separator = "";
-    for (const JoinId join : joins) {
-      if (!frame.is_slit(surface, nets.joins[join].edge)) {
-        json.raw(separator);
-        json.number(nets.joins[join].number);
-        separator = ",";
-      }
+    for (const std::uint32_t number : numbers) {
+      json.raw(separator);
+      json.number(number);
+      separator = ",";
     }
     json.raw("]}");
   });
@@ -232,6 +237,30 @@ void write_joins(JsonText& json, const Surface& surface, const Nets& nets, const
     json.list("ridgecraft:more_tabs", glue.more.size(),
               [&](std::size_t i) { write_tab(nets.tabs[glue.more[i]]); });
   }
+}
+
+/// The chains of the joins that are in the file.
+void write_chains(JsonText& json, const Surface& surface, const Nets& nets, const Gluing& glue) {
+  IdVector<JoinId, std::uint32_t> join_number(nets.joins.size(), 0);
+  IdVector<JoinId, bool> written(nets.joins.size());
+  for (std::uint32_t i = 0; i < glue.joins.size(); ++i) {
+    join_number[glue.joins[i]] = i;
+    written[glue.joins[i]] = true;
+  }
+  std::vector<unfold::Chain> chains = unfold::chains_of(surface, nets);
+  // A slit in a flat region is a chain of its own.
+  std::erase_if(chains, [&](const unfold::Chain& chain) { return !written[chain.joins.front()]; });
+  json.list("ridgecraft:chains", chains.size(), [&](std::size_t i) {
+    json.raw("\n{\"number\":");
+    json.number(chains[i].number);
+    const char* separator = ",\"joins\":[";
+    for (const JoinId join : chains[i].joins) {
+      json.raw(separator);
+      json.number(join_number[join]);
+      separator = ",";
+    }
+    json.raw("]}");
+  });
 }
 
 void write_glue(JsonText& json, const NetFrame& frame, const std::vector<GlueOutline>& glue_outlines) {
@@ -327,6 +356,7 @@ std::string write_fold(const FoldContents& contents, const Mark& mark) {
   write_assembly(json, surface, nets, frame, assembly);
   write_pages(json, frame, pages);
   write_joins(json, surface, nets, frame, glue);
+  write_chains(json, surface, nets, glue);
   write_glue(json, frame, glue_outlines);
   write_model(json, surface, part);
   json.raw("\n}\n");

@@ -252,7 +252,7 @@ Group cover(const GuideModel& guide, const Context& context) {
   } else {
     add_picture(
         {guide.scene, *guide.nets, camera, fit},
-        [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group);
+        [&](PieceId piece) -> const PieceLook& { return guide.looks[piece]; }, group, context);
   }
   group.lines.push_back(guide_rule({room.low.x, facts_top}, {room.high.x, facts_top}));
   const double middle = 0.5 * (room.low.x + room.high.x);

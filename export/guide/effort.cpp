@@ -9,15 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "prepare/prepared/effort.hpp"
+#include "unfold/tabs/place/place_tabs.hpp"
+
 namespace ridgecraft::export_ {
 namespace {
-
-// Each join has two edges to be cut.
-constexpr double cut_mm_per_minute = 100.0;
-constexpr double glue_mm_per_minute = 60.0;
-constexpr double minutes_per_fold = 0.2;
-constexpr double minutes_per_join = 0.4;  ///< to find its other edge, and to hold it until the glue does
-constexpr double minutes_per_piece = 1.0;
 
 /// One for each limit that a value is on the wrong side of.
 template <class Value, std::size_t N>
@@ -29,41 +25,60 @@ int points_above(Value value, const std::array<Value, N>& limits) {
 constexpr std::array<std::size_t, 3> many_edges{60, 200, 600};
 /// Shares of the edges to glue that take tweezers, or a strip of paper behind them.
 constexpr std::array<double, 3> many_awkward{0.05, 0.15, 0.3};
-constexpr double short_join_mm = 6.0;
+
+prepare::Work work_of(const mesh::Surface& surface, const unfold::Nets& nets, double hidden_fold_angle) {
+  prepare::Work work;
+  work.pieces = static_cast<double>(nets.pieces.size());
+  const auto add_length = [&](EdgeId edge) {
+    work.short_edges += surface.length(edge) < prepare::tweezers_mm ? 1.0 : 0.0;
+  };
+  for (const unfold::Join& join : nets.joins) {
+    add_length(join.edge);
+    const double length = surface.length(join.edge);
+    work.joins += 1.0;
+    work.seam_mm += length;
+    // Without any tabs the maker has chosen another way to join.
+    if (!nets.tabs.empty() && (!join.tab.valid() || !unfold::is_usable(surface, nets, join.tab, {}))) {
+      work.weak_joins += 1.0;
+      work.weak_mm += length;
+    }
+  }
+  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+    if (nets.use[edge] == unfold::EdgeUse::fold && std::abs(surface.fold_angle(edge)) >= hidden_fold_angle) {
+      add_length(edge);
+      work.folds += 1.0;
+    }
+  }
+  return work;
+}
 
 }  // namespace
 
 Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets, double hidden_fold_angle) {
+  const prepare::Work work = work_of(surface, nets, hidden_fold_angle);
   Effort effort;
+  effort.minutes = prepare::minutes_of(work);
+  effort.seam_mm = work.seam_mm;
+  effort.joins = static_cast<std::size_t>(work.joins);
+  effort.folds = static_cast<std::size_t>(work.folds);
   std::vector<double> lengths;
   for (const unfold::Join& join : nets.joins) {
     lengths.push_back(surface.length(join.edge));
-    effort.seam_mm += lengths.back();
     if (join.tab.valid() && (effort.smallest_tab_mm == 0.0 || lengths.back() < effort.smallest_tab_mm)) {
       effort.smallest_tab_mm = lengths.back();
     }
   }
-  effort.joins = lengths.size();
   if (!lengths.empty()) {
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::nth_element(lengths.begin(), middle, lengths.end());
     effort.median_join_mm = *middle;
   }
-  for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
-    if (nets.use[edge] == unfold::EdgeUse::fold && std::abs(surface.fold_angle(edge)) >= hidden_fold_angle) {
-      ++effort.folds;
-    }
-  }
-  effort.minutes = 2.0 * effort.seam_mm / cut_mm_per_minute + effort.seam_mm / glue_mm_per_minute +
-                   minutes_per_fold * static_cast<double>(effort.folds) +
-                   minutes_per_join * static_cast<double>(effort.joins) +
-                   minutes_per_piece * static_cast<double>(nets.pieces.size());
   int points = points_above(effort.joins + effort.folds, many_edges);
   if (effort.joins > 0) {
     // Without any tabs the maker has chosen another way to join.
     const bool has_tabs = !nets.tabs.empty();
     const auto count = std::count_if(nets.joins.begin(), nets.joins.end(), [&](const unfold::Join& join) {
-      return surface.length(join.edge) < short_join_mm || (has_tabs && !join.tab.valid());
+      return surface.length(join.edge) < prepare::tweezers_mm || (has_tabs && !join.tab.valid());
     });
     points += points_above(static_cast<double>(count) / static_cast<double>(effort.joins), many_awkward);
   }

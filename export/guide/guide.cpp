@@ -288,7 +288,7 @@ class Overview {
     const Fit fit = fit_at_scale(view.seen, arrangement_.scale, frame);
     add_picture(
         {guide_.scene, *guide_.nets, view.camera, fit},
-        [&](PieceId piece) -> const PieceLook& { return guide_.looks[piece]; }, group_);
+        [&](PieceId piece) -> const PieceLook& { return guide_.looks[piece]; }, group_, context_);
     // Names stand beside the widest picture, however much more room there is.
     const double middle = 0.5 * (cell.low.x + cell.high.x);
     const double half = 0.5 * arrangement_.scale * widest_;

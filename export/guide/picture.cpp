@@ -450,15 +450,15 @@ Fit fit_at_scale(const Box2& seen, double scale, const Box2& frame) {
   return {scale, 0.5 * (frame.low + frame.high) - scale * 0.5 * (seen.low + seen.high)};
 }
 
-void add_picture(const Picture& picture, const LookOf& look, Group& group) {
-  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale);
+void add_picture(const Picture& picture, const LookOf& look, Group& group, const Context& context) {
+  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale, context);
   add_areas(picture, view, look, group);
   add_lines(picture, view, look, group);
 }
 
 void add_coloured_picture(const prepare::Prepared& model, const Picture& picture, Group& group,
                           const Context& context) {
-  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale);
+  const View view = look_at(picture.scene, picture.camera, smallest_drawn_mm / picture.fit.scale, context);
   ColouredAreas areas(model, picture, group, context);
   for (const VisibleArea& area : view.areas) {
     areas.add(area);

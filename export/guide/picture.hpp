@@ -88,8 +88,8 @@ struct Picture {
   std::optional<Box2> frame = {};  ///< nothing is drawn beyond it
 };
 
-/// Adds what is seen to the group.
-void add_picture(const Picture& picture, const LookOf& look, Group& group);
+/// Adds what is seen to the group. Throws Error(interrupted).
+void add_picture(const Picture& picture, const LookOf& look, Group& group, const Context& context);
 
 /// The same in the model's own colours, without frame and borders of pieces; model.look must be there: areas
 /// where faces have one colour each, and below them one picture, of dots, of all faces that have pictures on

@@ -98,7 +98,11 @@ class StepPages {
     std::vector<Group> cells(steps_.size());
     do_in_parallel(cells.size(), context, [&](std::size_t i, const Context& own) {
       own.check();
-      cells[i] = cell(i, scenes[i]);
+      StepScene step = scenes[i];
+      if (!only_near_ && own.out_of_time()) {
+        step.scene = scene_with(guide_.scene, *guide_.nets, near_pieces(i));
+      }
+      cells[i] = cell(i, step, own);
     });
     std::vector<Group> pages(rows_of_page_.size());
     for (Group& page : pages) {
@@ -156,6 +160,18 @@ class StepPages {
     return std::binary_search(pieces.begin(), pieces.end(), piece);
   }
 
+  /// What a step adds, and what that is glued to.
+  [[nodiscard]] IdVector<PieceId, bool> near_pieces(std::size_t index) const {
+    IdVector<PieceId, bool> shown(guide_.nets->pieces.size(), false);
+    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
+      shown[piece] = true;
+    }
+    for (const PieceId piece : steps_[index].pieces) {
+      shown[piece] = true;
+    }
+    return shown;
+  }
+
   [[nodiscard]] std::vector<StepScene> choose_sides(const Context& context) const {
     std::vector<StepScene> scenes;
     IdVector<PieceId, bool> standing(guide_.nets->pieces.size(), false);
@@ -165,17 +181,7 @@ class StepPages {
       for (const PieceId piece : steps_[i].pieces) {
         standing[piece] = true;
       }
-      IdVector<PieceId, bool> shown = standing;
-      if (only_near_) {
-        shown = IdVector<PieceId, bool>(standing.size(), false);
-        for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[i])) {
-          shown[piece] = true;
-        }
-        for (const PieceId piece : steps_[i].pieces) {
-          shown[piece] = true;
-        }
-      }
-      StepScene step{scene_with(guide_.scene, *guide_.nets, shown), {}, {}};
+      StepScene step{scene_with(guide_.scene, *guide_.nets, only_near_ ? near_pieces(i) : standing), {}, {}};
       const std::size_t before = std::exchange(side, best_side(i, step.scene, side));
       // Who looks up one step wants to know which side it shows.
       if (side != before || side != 0) {
@@ -206,7 +212,7 @@ class StepPages {
     return shows[before] >= good_enough * shows[best] ? before : best;
   }
 
-  [[nodiscard]] Group cell(std::size_t index, const StepScene& step) const {
+  [[nodiscard]] Group cell(std::size_t index, const StepScene& step, const Context& context) const {
     Group group;
     const Box2 box = box_of_step(index);
     const double top = add_head(index, box, step.turned, group);
@@ -215,8 +221,8 @@ class StepPages {
     const double bottom = add_sentences(index, box, step, behind, group);
     const Box2 picture{{box.low.x, bottom}, {box.high.x, top}};
     const double net_ends = add_net(index, picture, group);
-    add_step_picture({index, step, coarse, largest_beside_net(index, step, picture, net_ends), behind},
-                     group);
+    add_step_picture({index, step, coarse, largest_beside_net(index, step, picture, net_ends), behind}, group,
+                     context);
     return group;
   }
 
@@ -417,7 +423,7 @@ class StepPages {
     std::optional<Box2> crop = {};  ///< nothing is drawn beyond it
   };
 
-  void add_step_picture(StepPicture picture, Group& group) const {
+  void add_step_picture(StepPicture picture, Group& group, const Context& context) const {
     picture.frame = frame_in(picture.index, picture.box);
     const auto [part, fit] = place_in(picture.index, picture.step, picture.frame);
     picture.fit = fit;
@@ -434,8 +440,8 @@ class StepPages {
         [&](PieceId piece) -> const PieceLook& {
           return is_new(picture.index, piece) ? guide_.looks[piece] : guide_.pale;
         },
-        group);
-    add_hidden(picture, group);
+        group, context);
+    add_hidden(picture, group, context);
     add_names(picture, group);
   }
 
@@ -449,12 +455,12 @@ class StepPages {
   }
 
   /// Their borders, over what lies before them.
-  void add_hidden(const StepPicture& picture, Group& group) const {
+  void add_hidden(const StepPicture& picture, Group& group, const Context& context) const {
     const Fit& fit = picture.fit;
     if (std::ranges::none_of(picture.behind, [&](PieceId piece) { return is_new(picture.index, piece); })) {
       return;
     }
-    const View view = look_at(hidden_alone(picture), picture.step.camera, dash_gap_mm / fit.scale);
+    const View view = look_at(hidden_alone(picture), picture.step.camera, dash_gap_mm / fit.scale, context);
     for (const VisibleLine& line : view.lines) {
       if (!line.outline && guide_.nets->use[line.edge] == unfold::EdgeUse::fold) {
         continue;

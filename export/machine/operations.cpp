@@ -345,7 +345,9 @@ class Plan {
   void add_piece(const Group& group) {
     add_loops(group);
     for (const Line& line : group.lines) {
-      const auto operation = operation_of(line.layer);
+      // Ticks are written as numbers are.
+      const bool tick = line.layer == Layer::mark && line.like == Layer::label;
+      const auto operation = operation_of(tick ? Layer::label : line.layer);
       if (!operation || (line.layer == Layer::cut && line.closed)) {
         continue;
       }

@@ -78,26 +78,46 @@ std::vector<Vec2> glued(const mesh::Surface& surface, const unfold::Nets& nets, 
 
 }  // namespace
 
-void add_glue_outline(const GlueOutline& glued, const Placement& placement, const std::string& name,
-                      PieceDrawing& piece) {
+void add_glue_outlines(std::span<const GlueOutline> all, const PieceOnPage& piece, PieceDrawing& drawing) {
+  const auto body = [&](const GlueOutline& glued) {
+    return piece.surface().component(piece.nets.pieces[glued.other].faces.front());
+  };
+  const auto sides = [&](const GlueOutline& glued, const auto& use) {
+    for (std::vector<Vec2> outline : glued.outlines) {
+      std::ranges::transform(outline, outline.begin(), piece.placement);
+      for (std::size_t i = 0; i < outline.size(); ++i) {
+        use(Segment2{outline[i], outline[(i + 1) % outline.size()]});
+      }
+    }
+  };
   DrawnLines drawn;
-  for (const Line& line : piece.group.lines) {
+  for (const Line& line : drawing.group.lines) {
     for (const Segment2& segment : segments_of(line)) {
       drawn.add(segment);
     }
   }
-  GlueMark spot{name, {}, false};
-  for (std::vector<Vec2> outline : glued.outlines) {
-    std::ranges::transform(outline, outline.begin(), placement);
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      for (const Segment2& part : drawn.free_parts({outline[i], outline[(i + 1) % outline.size()]})) {
-        drawn.add(part);
-        piece.group.lines.push_back({Layer::glue, {part.a, part.b}, false, Fold::none});
+  for (const GlueOutline& glued : all) {
+    DrawnLines seams;
+    for (const GlueOutline& other : all) {
+      if (other.other != glued.other && body(other) == body(glued)) {
+        sides(other, [&](const Segment2& side) { seams.add(side); });
       }
     }
-    spot.outlines.push_back(std::move(outline));
+    sides(glued, [&](const Segment2& side) {
+      for (const Segment2& outer : seams.free_parts(side)) {
+        for (const Segment2& part : drawn.free_parts(outer)) {
+          drawn.add(part);
+          drawing.group.lines.push_back({Layer::glue, {part.a, part.b}, false, Fold::none});
+        }
+      }
+    });
+    GlueMark spot{piece.nets.pieces[glued.other].name, {}, false};
+    for (std::vector<Vec2> outline : glued.outlines) {
+      std::ranges::transform(outline, outline.begin(), piece.placement);
+      spot.outlines.push_back(std::move(outline));
+    }
+    drawing.spots.push_back(std::move(spot));
   }
-  piece.spots.push_back(std::move(spot));
 }
 
 void add_tab_shadows(const PieceOnPage& piece, PieceDrawing& drawing) {

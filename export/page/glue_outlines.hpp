@@ -3,6 +3,8 @@
 // (sheet/bodies.hpp), and lines where tabs come to lie behind its faces.
 #pragma once
 
+#include <span>
+
 #include "export/page/obstacles.hpp"
 #include "export/page/piece_drawing.hpp"
 #include "export/sheet/bodies.hpp"
@@ -12,10 +14,9 @@
 
 namespace ridgecraft::export_ {
 
-/// Adds a glued's outlines to the drawing of its piece, but for stretches where a line is drawn already;
-/// `name` is that of the piece that is glued there.
-void add_glue_outline(const GlueOutline& glued, const Placement& placement, const std::string& name,
-                      PieceDrawing& piece);
+/// Adds to the drawing of a piece the outlines of what is glued onto it, all of them, but for stretches where
+/// a line is drawn already, and those within a body that several of its pieces bring.
+void add_glue_outlines(std::span<const GlueOutline> all, const PieceOnPage& piece, PieceDrawing& drawing);
 
 /// Adds to a piece, whose texts have their places, the outlines of the tabs of other edges that are glued
 /// behind its faces: but for their bases, and with gaps where texts stand. Joins with a tab on either side

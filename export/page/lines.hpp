@@ -38,6 +38,9 @@ struct Segment2 {
          part.high.y <= whole.high.y;
 }
 
+/// Ends of two edges of an outline that are one corner but for rounding, mm.
+inline constexpr double same_corner_mm = 1e-6;
+
 /// Lines nearer than this to each other are one line on paper, mm: a twentieth of a pen's width. A stretch
 /// along which two lines lie so is drawn once.
 inline constexpr double same_line_mm = 0.0105;

@@ -174,38 +174,44 @@ bool NumberPlacer::place_on_tab(PieceDrawing& piece, const Seam& seam) {
 }
 
 bool NumberPlacer::place(const Wanted& wanted, NumberPlace where) {
+  return std::ranges::any_of(wanted.seams, [&](const Seam* seam) {
+    return place_at({wanted.piece, seam}, where);
+  });
+}
+
+bool NumberPlacer::place_at(const EdgeOfPiece& at, NumberPlace where) {
   switch (where) {
     case NumberPlace::at_edge:
-      return place_near(wanted, Side::inside);
+      return place_near(at, Side::inside);
     case NumberPlace::further_inside:
-      return place_further_inside(wanted);
+      return place_further_inside(at);
     case NumberPlace::beside_piece:
-      return place_near(wanted, Side::outside);
+      return place_near(at, Side::outside);
     case NumberPlace::leader_inside:
-      return place_with_leader(wanted, Side::inside);
+      return place_with_leader(at, Side::inside);
     case NumberPlace::leader_outside:
-      return place_with_leader(wanted, Side::outside);
+      return place_with_leader(at, Side::outside);
   }
   return false;
 }
 
-bool NumberPlacer::place_near(const Wanted& wanted, Side side) {
+bool NumberPlacer::place_near(const EdgeOfPiece& at, Side side) {
   for (const double height : heights_) {
     for (const double offset : near_offsets) {
-      if (place_along(wanted, height, offset, false, side)) {
+      if (place_along(at, height, offset, false, side)) {
         return true;
       }
     }
   }
   return std::ranges::any_of(heights_,
-                             [&](double height) { return place_along(wanted, height, 0.0, true, side); });
+                             [&](double height) { return place_along(at, height, 0.0, true, side); });
 }
 
-bool NumberPlacer::place_further_inside(const Wanted& wanted) {
+bool NumberPlacer::place_further_inside(const EdgeOfPiece& at) {
   for (const double height : heights_) {
     for (double offset = first_offset; offset < deepest_offset; offset += offset_step) {
-      if (place_along(wanted, height, offset, false, Side::inside) ||
-          place_along(wanted, height, offset, true, Side::inside)) {
+      if (place_along(at, height, offset, false, Side::inside) ||
+          place_along(at, height, offset, true, Side::inside)) {
         return true;
       }
     }
@@ -213,18 +219,18 @@ bool NumberPlacer::place_further_inside(const Wanted& wanted) {
   return false;
 }
 
-bool NumberPlacer::place_with_leader(const Wanted& wanted, Side side) {
-  const Frame frame(wanted.seam->edge);
-  const std::vector<Vec2>& tab = wanted.seam->tab;
+bool NumberPlacer::place_with_leader(const EdgeOfPiece& at, Side side) {
+  const Frame frame(at.seam->edge);
+  const std::vector<Vec2>& tab = at.seam->tab;
   // Outside the piece the line ends at the edge, or at the far side of the tab that stands on it.
   const bool from_tab = side == Side::outside && !tab.empty();
   const Vec2 start = from_tab ? 0.5 * (tab[2] + tab.back()) : frame.middle;
   const double size = from_tab ? length(tab.back() - tab[2]) : frame.size;
   for (const double height : {heights_[1], heights_.back()}) {
     for (const double turned : {0.0, 0.5 * std::numbers::pi}) {
-      const Text text = number_text(*wanted.seam, height, upright(frame.angle + turned));
+      const Text text = number_text(*at.seam, height, upright(frame.angle + turned));
       for (const double fraction : leader_fractions) {
-        if (lead_from(wanted, text, start + fraction * size * frame.along, frame, side)) {
+        if (lead_from(at, text, start + fraction * size * frame.along, frame, side)) {
           return true;
         }
       }
@@ -279,16 +285,16 @@ bool NumberPlacer::put(PieceDrawing& piece, const Text& text, const TurnedBox& b
   return true;
 }
 
-bool NumberPlacer::place_along(const Wanted& wanted, double height, double offset, bool across, Side side) {
-  const Frame frame(wanted.seam->edge);
+bool NumberPlacer::place_along(const EdgeOfPiece& at, double height, double offset, bool across, Side side) {
+  const Frame frame(at.seam->edge);
   Text text =
-      number_text(*wanted.seam, height, across ? upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
+      number_text(*at.seam, height, across ? upright(frame.angle + 0.5 * std::numbers::pi) : frame.angle);
   const TurnedBox at_origin = box_of(text);
   const double half = across ? at_origin.half_width : at_origin.half_height;
   const double half_along = across ? at_origin.half_height : at_origin.half_width;
   const double room = std::max(0.0, 0.5 * frame.size - half_along);
   // Outside the piece, that is beyond the tab.
-  const double lift = side == Side::outside ? tab_height(*wanted.seam, frame.middle, frame.inward) : 0.0;
+  const double lift = side == Side::outside ? tab_height(*at.seam, frame.middle, frame.inward) : 0.0;
   const Vec2 out = frame.out(side);
   TurnedBox box = at_origin;
   double last = -1.0;
@@ -303,8 +309,8 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
     text.centre = centre - at_origin.centre;
     box.centre = text.centre + at_origin.centre;
     if (obstacles_.is_free(Segment2{foot + off_the_edge_mm * out, centre}, true) &&
-        put(*wanted.piece, text, box)) {
-      placed_.push_back({wanted.piece, wanted.seam, wanted.piece->group.texts.size() - 1, last_text_, false});
+        put(*at.piece, text, box)) {
+      placed_.push_back({at.piece, at.seam, at.piece->group.texts.size() - 1, last_text_, false});
       return true;
     }
   }
@@ -312,7 +318,7 @@ bool NumberPlacer::place_along(const Wanted& wanted, double height, double offse
 }
 
 /// `text` wherever around a point of its edge there is room for it.
-bool NumberPlacer::lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Side side) {
+bool NumberPlacer::lead_from(const EdgeOfPiece& at, Text text, Vec2 start, const Frame& frame, Side side) {
   const Vec2 out = frame.out(side);
   const double longest = side == Side::inside ? longest_leader_inside : longest_leader_outside;
   text.centre = {};
@@ -330,7 +336,7 @@ bool NumberPlacer::lead_from(const Wanted& wanted, Text text, Vec2 start, const 
       box.centre = text.centre + box_from_text;
       const Segment2 leader = leader_to(box, start, out);
       blocked[i] = !obstacles_.is_free(leader, false);  // a longer one would be, too
-      if (!blocked[i] && put_with_leader(wanted, text, box, leader, out)) {
+      if (!blocked[i] && put_with_leader(at, text, box, leader, out)) {
         return true;
       }
     }
@@ -338,19 +344,16 @@ bool NumberPlacer::lead_from(const Wanted& wanted, Text text, Vec2 start, const 
   return false;
 }
 
-bool NumberPlacer::put_with_leader(const Wanted& wanted, const Text& text, const TurnedBox& box,
+bool NumberPlacer::put_with_leader(const EdgeOfPiece& at, const Text& text, const TurnedBox& box,
                                    const Segment2& leader, Vec2 out) {
-  if (!can_lead(leader, out, obstacles_) || !put(*wanted.piece, text, box)) {
+  if (!can_lead(leader, out, obstacles_) || !put(*at.piece, text, box)) {
     return false;
   }
-  draw_leader(leader, *wanted.piece, obstacles_);
+  draw_leader(leader, *at.piece, obstacles_);
   return true;
 }
 
 namespace {
-
-/// Ends of two edges that are one corner but for rounding, mm.
-constexpr double same_corner_mm = 1e-6;
 
 using Rim = std::vector<std::size_t>;
 
@@ -365,15 +368,15 @@ std::optional<std::size_t> mate_ahead(const PieceDrawing& piece, const Rim& rim,
     const Seam& second = back ? seam(steps - 1) : seam(steps);
     return length(first.edge.a - second.edge.b) <= same_corner_mm;
   };
-  std::vector<std::uint32_t> open;  // numbers whose second edge is still to come
+  std::vector<JoinId> open;  // joins whose second edge is still to come
   for (std::size_t steps = 1; steps < size && follows(steps); ++steps) {
-    const std::uint32_t number = seam(steps).number;
-    if (!open.empty() && open.back() == number) {
+    const JoinId join = seam(steps).join;
+    if (!open.empty() && open.back() == join) {
       open.pop_back();
-    } else if (open.empty() && number == piece.seams[rim[at]].number) {
+    } else if (open.empty() && join == piece.seams[rim[at]].join) {
       return place(steps);
     } else {
-      open.push_back(number);
+      open.push_back(join);
     }
   }
   return std::nullopt;

@@ -14,11 +14,17 @@
 
 namespace ridgecraft::export_ {
 
+/// An edge of a piece.
+struct EdgeOfPiece {
+  PieceDrawing* piece = nullptr;
+  const Seam* seam = nullptr;
+};
+
 /// A number on the piece that still needs a place.
 struct Wanted {
   PieceDrawing* piece = nullptr;
-  Seam* seam = nullptr;
-  bool on_tab = false;  ///< its number stands on the tab already
+  std::size_t side = 0;            ///< of PieceDrawing::sides
+  std::vector<const Seam*> seams;  ///< it may stand at any of them, at the first rather than the last
 };
 
 /// Where a number may stand, beside on its tab.
@@ -42,6 +48,7 @@ class NumberPlacer {
   void add_lines(const PieceDrawing& piece);
 
   bool place_on_tab(PieceDrawing& piece, const Seam& seam);
+  /// At the first of its edges that has room there.
   bool place(const Wanted& wanted, NumberPlace where);
   /// Numbers tell on which piece the other edge is ("B:12"), where there is room for it.
   void name_partners();
@@ -58,15 +65,16 @@ class NumberPlacer {
     bool on_tab = false;
   };
 
+  bool place_at(const EdgeOfPiece& at, NumberPlace where);
   [[nodiscard]] std::optional<Text> with_partner(const Text& plain, const Placed& placed) const;
   bool put(PieceDrawing& piece, const Text& text, const TurnedBox& box);
-  bool place_near(const Wanted& wanted, Side side);
-  bool place_further_inside(const Wanted& wanted);
-  bool place_with_leader(const Wanted& wanted, Side side);
-  bool place_along(const Wanted& wanted, double height, double offset, bool across, Side side);
+  bool place_near(const EdgeOfPiece& at, Side side);
+  bool place_further_inside(const EdgeOfPiece& at);
+  bool place_with_leader(const EdgeOfPiece& at, Side side);
+  bool place_along(const EdgeOfPiece& at, double height, double offset, bool across, Side side);
   /// `text` wherever around a point of its edge there is room for it.
-  bool lead_from(const Wanted& wanted, Text text, Vec2 start, const Frame& frame, Side side);
-  bool put_with_leader(const Wanted& wanted, const Text& text, const TurnedBox& box, const Segment2& leader,
+  bool lead_from(const EdgeOfPiece& at, Text text, Vec2 start, const Frame& frame, Side side);
+  bool put_with_leader(const EdgeOfPiece& at, const Text& text, const TurnedBox& box, const Segment2& leader,
                        Vec2 out);
 
   Obstacles obstacles_;

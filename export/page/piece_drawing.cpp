@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "base/geometry.hpp"
 #include "export/page/lines.hpp"
+#include "unfold/net/chains.hpp"
 #include "unfold/net/outline.hpp"
 
 namespace ridgecraft::export_ {
@@ -16,12 +16,6 @@ namespace {
 
 /// Below this a fold is flat whatever the style says, radians (the contract's 1e-4 degrees).
 constexpr double flat_angle = 1e-4 * 3.14159265358979323846 / 180.0;
-/// Two edges that bend less than this (10 degrees) look like one.
-constexpr double straight_cosine = 0.985;
-/// What marks the end of an edge, mm: shorter than any fold, longer than a slip of the pen.
-constexpr double tick_length = 1.5;
-/// Ends of lines that are one point on paper, mm.
-constexpr double near_mm = 0.05;
 /// Ends of the two sides of a fold that are one point but for rounding, mm.
 constexpr double same_fold_end_mm = 1e-4;
 
@@ -34,7 +28,11 @@ class PieceDrawer {
         piece_(at.piece),
         contents_(at.contents),
         place_(at.placement),
-        style_(style) {}
+        style_(style) {
+    for (const JoinId join : contents_.joins) {
+      join_at_.emplace(nets_.joins[join].edge, join);
+    }
+  }
 
   PieceDrawing draw() {
     result_.name = nets_.pieces[piece_].name;
@@ -43,7 +41,6 @@ class PieceDrawer {
     add_folds();
     add_tabs();
     add_seams();
-    add_ticks();
     add_rims();
     return std::move(result_);
   }
@@ -161,74 +158,13 @@ class PieceDrawer {
     }
   }
 
-  /// Where one joined edge goes straight on as the next one, and no fold or tab shows where the first one
-  /// ends.
-  void add_ticks() {
-    for (const JoinId id : contents_.joins) {
-      for (const CornerId c : surface_.sides(nets_.joins[id].edge)) {
-        if (nets_.piece[mesh::face_of(c)] != piece_) {
-          continue;
-        }
-        const auto follower = next_cut(c);
-        if (!follower || number_at(*follower) == nets_.joins[id].number || number_at(*follower) == 0) {
-          continue;
-        }
-        const Vec2 at = corner(*follower);
-        const Vec2 here = at - corner(c);
-        const Vec2 there = corner(mesh::next(*follower)) - at;
-        const Vec2 along = corner(mesh::next(*follower)) - corner(c);
-        if (dot(here, there) > straight_cosine * length(here) * length(there) && !line_ends_at(at)) {
-          const Vec2 inward = perpendicular(along) / length(along);
-          Line tick{Layer::mark, {at, at + tick_length * inward}, false, Fold::none};
-          tick.like = Layer::label;
-          result_.group.lines.push_back(std::move(tick));
-        }
-      }
-    }
-  }
-  /// The cut edge of the piece that begins where this one ends; found by turning around the vertex over the
-  /// folds.
-  [[nodiscard]] std::optional<CornerId> next_cut(CornerId c) const {
-    CornerId d = mesh::next(c);
-    while (nets_.use[surface_.edge(d)] == unfold::EdgeUse::fold) {
-      d = mesh::next(surface_.twin(d));
-      if (d == mesh::next(c)) {
-        return std::nullopt;
-      }
-    }
-    return d;
-  }
-  /// The number of the join at a cut edge; 0 at a border.
-  [[nodiscard]] std::uint32_t number_at(CornerId c) const {
-    const auto seam = seam_at_.find(c);
-    return seam == seam_at_.end() ? 0 : result_.seams[seam->second].number;
-  }
-  [[nodiscard]] bool line_ends_at(Vec2 p) const {
-    return std::ranges::any_of(result_.group.lines, [&](const Line& line) {
-      const bool is_fold =
-          line.layer == Layer::mountain || line.layer == Layer::valley || line.layer == Layer::tab_fold;
-      return is_fold &&
-             (length(line.points.front() - p) < near_mm || length(line.points.back() - p) < near_mm);
-    });
-  }
-
   void add_seams() {
-    for (const JoinId id : contents_.joins) {
-      const unfold::Join& join = nets_.joins[id];
-      for (const CornerId c : surface_.sides(join.edge)) {
-        if (nets_.piece[mesh::face_of(c)] != piece_) {
-          continue;
-        }
-        const PieceId other = nets_.piece[mesh::face_of(surface_.twin(c))];
-        Seam seam{join.number, other == piece_ ? "" : nets_.pieces[other].name, side(c), {}};
-        // No number on a tab that goes into a slit: its neck is seen on the finished model.
-        if (const auto tab = tab_at_.find(c); tab != tab_at_.end() && !nets_.tabs[tab->second].slit) {
-          for (const Vec2 p : nets_.tabs[tab->second].polygon) {
-            seam.tab.push_back(place_(p));
-          }
-        }
+    for (const std::vector<CornerId>& side : contents_.sides) {
+      result_.sides.emplace_back();
+      for (const CornerId c : side) {
         seam_at_.emplace(c, result_.seams.size());
-        result_.seams.push_back(std::move(seam));
+        result_.sides.back().push_back(result_.seams.size());
+        result_.seams.push_back(seam_of(c));
       }
     }
     for (const FaceId face : nets_.pieces[piece_].faces) {
@@ -237,13 +173,26 @@ class PieceDrawer {
     }
   }
 
+  [[nodiscard]] Seam seam_of(CornerId c) const {
+    const JoinId id = join_at_.at(surface_.edge(c));
+    const PieceId other = nets_.piece[mesh::face_of(surface_.twin(c))];
+    Seam seam{nets_.joins[id].number, id, other == piece_ ? "" : nets_.pieces[other].name, side(c), {}};
+    // No number on a tab that goes into a slit: its neck is seen on the finished model.
+    if (const auto tab = tab_at_.find(c); tab != tab_at_.end() && !nets_.tabs[tab->second].slit) {
+      for (const Vec2 p : nets_.tabs[tab->second].polygon) {
+        seam.tab.push_back(place_(p));
+      }
+    }
+    return seam;
+  }
+
   /// Faces lie on the left of their edges, so an outline is followed against the clock.
   void add_rims() {
     std::set<CornerId> seen;
     for (const auto& [first, seam] : seam_at_) {
       std::vector<std::size_t> rim;
-      for (std::optional<CornerId> c = first; c && seen.insert(*c).second; c = next_cut(*c)) {
-        if (const auto here = seam_at_.find(*c); here != seam_at_.end()) {
+      for (CornerId c = first; seen.insert(c).second; c = unfold::next_boundary(surface_, nets_, c)) {
+        if (const auto here = seam_at_.find(c); here != seam_at_.end()) {
           rim.push_back(here->second);
         }
       }
@@ -262,6 +211,7 @@ class PieceDrawer {
   const Placement& place_;
   const Style& style_;
   DrawnLines drawn_;
+  std::map<EdgeId, JoinId> join_at_;         ///< of each edge that is glued
   std::map<CornerId, TabId> tab_at_;         ///< of each edge that has one
   std::map<CornerId, std::size_t> seam_at_;  ///< of each cut edge that is glued: its place among the seams
   PieceDrawing result_;
@@ -282,6 +232,14 @@ IdVector<PieceId, PieceContents> piece_contents(const mesh::Surface& surface, co
   IdVector<PieceId, PieceContents> contents(nets.pieces.size());
   for (const TabId tab : ids<TabId>(nets.tabs.size())) {
     contents[nets.piece[mesh::face_of(nets.tabs[tab].side)]].tabs.push_back(tab);
+  }
+  for (const unfold::Chain& chain : unfold::chains_of(surface, nets)) {
+    std::vector<CornerId> beyond;
+    for (const CornerId side : chain.sides) {
+      beyond.insert(beyond.begin(), surface.twin(side));
+    }
+    contents[chain.pieces[0]].sides.push_back(chain.sides);
+    contents[chain.pieces[1]].sides.push_back(std::move(beyond));
   }
   for (const JoinId join : ids<JoinId>(nets.joins.size())) {
     for (const CornerId side : surface.sides(nets.joins[join].edge)) {

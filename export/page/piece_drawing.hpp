@@ -22,10 +22,11 @@ enum class NumberAt : std::uint8_t {
 
 /// A cut edge of a piece that is glued to another edge.
 struct Seam {
-  std::uint32_t number = 0;
-  std::string partner;    ///< name of the piece that the other edge is on; empty where it is this one
-  Segment2 edge;          ///< its face lies on the left
-  std::vector<Vec2> tab;  ///< the tab that grows from it, first two corners on the edge; or nothing
+  std::uint32_t number = 0;  ///< of its chain
+  JoinId join;               ///< of its own
+  std::string partner;       ///< name of the piece that the other edge is on; empty where it is this one
+  Segment2 edge;             ///< its face lies on the left
+  std::vector<Vec2> tab;     ///< the tab that grows from it, first two corners on the edge; or nothing
   NumberAt at = NumberAt::list;
 };
 
@@ -41,6 +42,9 @@ struct PieceDrawing {
   std::string name;
   std::vector<std::string> notes;  ///< small words below the name: what the piece is a part of
   std::vector<Seam> seams;
+  /// Of each chain the seams, by their place in `seams`, as they follow each other: each begins where the one
+  /// before ends. A piece that is glued to itself has both sides of a chain.
+  std::vector<std::vector<std::size_t>> sides;
   /// Of each outline the seams, by their place in `seams`, as they follow each other clockwise on the printed
   /// side; borders are left out.
   std::vector<std::vector<std::size_t>> rims;
@@ -53,10 +57,11 @@ struct PieceDrawing {
 /// Whether a point lies on a face of the piece. O(faces).
 [[nodiscard]] bool lies_on(const PieceDrawing& piece, Vec2 p);
 
-/// What lies on a piece; both ascending.
+/// What lies on a piece; tabs and joins ascending.
 struct PieceContents {
   std::vector<TabId> tabs;
   std::vector<JoinId> joins;
+  std::vector<std::vector<CornerId>> sides;  ///< of chains, by their numbers; see PieceDrawing
 };
 
 /// Of all pieces at once: linear.
@@ -77,7 +82,7 @@ struct PieceOnPage {
   }
 };
 
-/// Everything of a piece but its texts, in page coordinates. No stretch of line is drawn twice.
+/// Everything of a piece but its texts and ticks, in page coordinates. No stretch of line is drawn twice.
 [[nodiscard]] PieceDrawing piece_drawing(const PieceOnPage& piece, const Style& style);
 
 }  // namespace ridgecraft::export_

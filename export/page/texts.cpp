@@ -7,13 +7,16 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.hpp"
 #include "export/page/glue_outlines.hpp"
 #include "export/page/numbers.hpp"
 #include "export/page/obstacles.hpp"
+#include "export/page/seam_marks.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::export_ {
@@ -344,17 +347,22 @@ constexpr std::array beside_pieces{NumberPlace::beside_piece, NumberPlace::leade
 /// These where names of pieces have no place yet.
 constexpr std::array before_names{NumberPlace::at_edge};
 constexpr std::array after_names{NumberPlace::further_inside};
-/// These for numbers that don't stand on a tab either.
 constexpr std::array with_leaders{NumberPlace::leader_inside, NumberPlace::leader_outside};
 
 /// Whether the number can be left out (closes_by_itself()).
 bool needs_none(const Wanted& wanted) {
   const PieceDrawing& piece = *wanted.piece;
-  const auto own = static_cast<std::size_t>(wanted.seam - piece.seams.data());
-  return std::ranges::any_of(piece.rims, [&](const std::vector<std::size_t>& rim) {
-    const auto at = std::ranges::find(rim, own);
-    return at != rim.end() && closes_by_itself(piece, rim, static_cast<std::size_t>(at - rim.begin()));
+  return std::ranges::all_of(wanted.seams, [&](const Seam* seam) {
+    const auto own = static_cast<std::size_t>(seam - piece.seams.data());
+    return std::ranges::any_of(piece.rims, [&](const std::vector<std::size_t>& rim) {
+      const auto at = std::ranges::find(rim, own);
+      return at != rim.end() && closes_by_itself(piece, rim, static_cast<std::size_t>(at - rim.begin()));
+    });
   });
+}
+
+double length_of(const Seam* seam) {
+  return length(seam->edge.b - seam->edge.a);
 }
 
 class TextPlacer {
@@ -384,7 +392,6 @@ class TextPlacer {
     try_places(before_names);
     place_names(report);
     try_places(after_names);
-    std::erase_if(wanted_, [](const Wanted& w) { return w.on_tab; });
     std::ranges::stable_partition(wanted_, [](const Wanted& w) { return !needs_none(w); });
     try_places(with_leaders);
     report.labels_outside += is_outside() ? 0 : led_outside_;
@@ -402,23 +409,35 @@ class TextPlacer {
   /// least choice.
   void place_on_tabs() {
     for (PieceDrawing& piece : pieces_) {
-      for (Seam& seam : piece.seams) {
-        const bool on_tab =
-            !seam.tab.empty() && style_.numbers != Numbers::outside && placer_.place_on_tab(piece, seam);
-        if (!on_tab || style_.numbers != Numbers::tabs) {
-          wanted_.push_back({&piece, &seam, on_tab});
+      for (const NumberedRow& row : numbered_rows(piece)) {
+        Wanted wanted{&piece, row.side, {}};
+        for (const std::size_t seam : row.seams) {
+          wanted.seams.push_back(&piece.seams[seam]);
+        }
+        std::ranges::stable_sort(wanted.seams, std::ranges::greater{}, length_of);
+        const auto on_tab = [&](const Seam* seam) {
+          return !seam->tab.empty() && placer_.place_on_tab(piece, *seam);
+        };
+        if (style_.numbers != Numbers::outside && std::ranges::any_of(wanted.seams, on_tab)) {
+          has_number_.insert({&piece, row.side});
+        } else {
+          wanted_.push_back(std::move(wanted));
         }
       }
     }
-    std::ranges::stable_sort(wanted_, {},
-                             [](const Wanted& w) { return length(w.seam->edge.b - w.seam->edge.a); });
+    std::ranges::stable_sort(wanted_, {}, [](const Wanted& w) { return length_of(w.seams.front()); });
   }
 
   void try_places(std::span<const NumberPlace> places) {
     for (const NumberPlace place : places) {
       const bool quick = place == NumberPlace::at_edge || place == NumberPlace::beside_piece;
-      const std::size_t placed = std::erase_if(
-          wanted_, [&](const Wanted& w) { return (quick || in_time()) && placer_.place(w, place); });
+      const std::size_t placed = std::erase_if(wanted_, [&](const Wanted& w) {
+        const bool found = (quick || in_time()) && placer_.place(w, place);
+        if (found) {
+          has_number_.insert({w.piece, w.side});
+        }
+        return found;
+      });
       led_outside_ += place == NumberPlace::leader_outside ? placed : 0;
     }
   }
@@ -431,12 +450,15 @@ class TextPlacer {
     }
   }
 
+  /// Where a chain has its number once on a side, that is enough.
   void note_places() {
     for (PieceDrawing& piece : pieces_) {
-      std::ranges::for_each(piece.seams, [](Seam& seam) { seam.at = NumberAt::edge; });
-    }
-    for (const Wanted& wanted : wanted_) {
-      wanted.seam->at = NumberAt::list;
+      for (std::size_t side = 0; side < piece.sides.size(); ++side) {
+        const bool has_number = has_number_.contains({&piece, side});
+        for (const std::size_t seam : piece.sides[side]) {
+          piece.seams[seam].at = has_number ? NumberAt::edge : NumberAt::list;
+        }
+      }
     }
     std::ranges::for_each(pieces_, leave_out_closing);
   }
@@ -446,7 +468,8 @@ class TextPlacer {
   const Style& style_;
   const Context& context_;
   NumberPlacer placer_;
-  std::vector<Wanted> wanted_;  ///< without a place on their piece
+  std::vector<Wanted> wanted_;                                        ///< without a place on their piece
+  std::set<std::pair<const PieceDrawing*, std::size_t>> has_number_;  ///< sides of pieces that have theirs
   std::size_t led_outside_ = 0;
 };
 

@@ -18,11 +18,12 @@ namespace ridgecraft::export_ {
 [[nodiscard]] bool place_name(PieceDrawing& piece, Obstacles& obstacles, const Box2& area,
                               bool hurried = false);
 
-/// Adds its texts to each piece of one page: each join's number inside the piece at its edge and on its tab,
-/// and the piece's name in the widest free place. No text covers a line or another text, or reaches out of
-/// piece_box(). Each number takes the first place that has room: at its edge, further inside, with a leader
-/// inside, with a leader beside the piece. Without one it stands in a list, as its seam says (Seam::at). Past
-/// the context's deadline and grace only places at the edge are tried. O(numbers x places x lines near them).
+/// Adds its texts to each piece of one page: the number of each row of edges (seam_marks.hpp), and the
+/// piece's name in the widest free place. No text covers a line or another text, or reaches out of
+/// piece_box(). Each number takes the first place that has room: on a tab, at its edge, further inside, with
+/// a leader inside, with a leader beside the piece. A side of a chain that has its number nowhere stands in a
+/// list, as its seams say (Seam::at). Past the context's deadline and grace only places on tabs and at the
+/// edge are tried. O(numbers x places x lines near them).
 void place_texts(std::vector<PieceDrawing>& pieces, const Paper& paper, const Style& style,
                  DrawReport& report, const Context& context);
 

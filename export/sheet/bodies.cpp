@@ -23,8 +23,16 @@ using PlanarSet = planar::polygon_set_data<int>;
 using PlanarPoint = planar::point_data<int>;
 using PlanarPolygon = planar::polygon_with_holes_data<int>;
 
-/// Faces that lie on each other are parallel up to this (cosine of 3 degrees).
-constexpr double parallel_cosine = 0.9986;
+/// How near faces must come to be glued onto each other.
+struct Reach {
+  double mm = 0.0;
+  double parallel = 1.0;  ///< cosine of the angle between them, at least
+};
+/// What lies on another face, up to 3 degrees.
+constexpr Reach on_each_other{mesh::touching_mm, 0.9986};
+/// What nothing else holds is glued over a gap of this, or along the edge where it meets another at up to 75
+/// degrees.
+constexpr Reach beside_each_other{near_enough_mm, 0.26};
 /// Smaller areas hold nothing, mm^2.
 constexpr double least_area = 4.0;
 /// Areas that meet at an edge of a face overlap by this, so that no crack stays between them, mm.
@@ -99,14 +107,14 @@ struct Lying {
 
 /// The part of it that lies on a face, in the plane of that face's piece.
 std::vector<Vec2> common_area(const mesh::Surface& surface, const unfold::Nets& nets, FaceId face,
-                              const Lying& on_it) {
+                              const Lying& on_it, double reach_mm) {
   const Laid laid(surface, nets, face);
   std::vector<Vec3> polygon;
   for (const Vec3 p : on_it.corners) {
     polygon.push_back(laid(p));
   }
-  polygon = part_where(polygon, [](Vec3 p) { return mesh::touching_mm - p.z; });
-  polygon = part_where(polygon, [](Vec3 p) { return mesh::touching_mm + p.z; });
+  polygon = part_where(polygon, [&](Vec3 p) { return reach_mm - p.z; });
+  polygon = part_where(polygon, [&](Vec3 p) { return reach_mm + p.z; });
   const auto& flat = nets.flat[face];
   for (std::size_t k = 0; k < 3 && !polygon.empty(); ++k) {
     const Vec2 from = flat[k];
@@ -233,11 +241,11 @@ std::vector<Lying> all_lying(const mesh::Surface& surface) {
 }
 
 /// Their boxes, grown so that those touch that do.
-NearBoxes boxes_of(const std::vector<Lying>& all) {
+NearBoxes boxes_of(const std::vector<Lying>& all, double reach_mm) {
   std::vector<Box3> boxes;
   for (const Lying& one : all) {
     Box3 box;
-    const Vec3 reach{mesh::touching_mm, mesh::touching_mm, mesh::touching_mm};
+    const Vec3 reach{reach_mm, reach_mm, reach_mm};
     for (const Vec3 p : one.corners) {
       box.add(p - 0.5 * reach);
       box.add(p + 0.5 * reach);
@@ -280,24 +288,20 @@ void drop_openings_beyond(const mesh::Surface& surface, const std::vector<Lying>
   }
 }
 
-}  // namespace
-
-std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const unfold::Nets& nets) {
-  if (surface.component_count() < 2) {
-    return {};
-  }
+/// Where bodies come as near as `reach`, of those that `held` doesn't connect already.
+CommonAreas common_areas(const mesh::Surface& surface, const unfold::Nets& nets,
+                         const std::vector<Lying>& all, const Reach& reach, DisjointSets& held) {
   std::vector<double> area(surface.component_count(), 0.0);
   for (const FaceId face : ids<FaceId>(surface.face_count())) {
     area[surface.component(face).value()] += surface.area(face);
   }
   CommonAreas areas;
-  const std::vector<Lying> all = all_lying(surface);
   const auto body = [&](std::uint32_t one) { return surface.component(all[one].face).value(); };
-  boxes_of(all).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+  boxes_of(all, reach.mm).for_pairs([&](std::uint32_t i, std::uint32_t j) {
     std::uint32_t below = i;
     std::uint32_t above = j;
-    if (body(below) == body(above) ||
-        !(std::abs(dot(all[below].normal, all[above].normal)) >= parallel_cosine)) {
+    if (held.find(body(below)) == held.find(body(above)) ||
+        !(std::abs(dot(all[below].normal, all[above].normal)) >= reach.parallel)) {
       return;
     }
     const auto is_opening = [&](std::uint32_t one) { return all[one].opening != Lying::none; };
@@ -310,13 +314,22 @@ std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const 
       std::swap(below, above);
     }
     const FaceId face(below);
-    if (std::vector<Vec2> common = common_area(surface, nets, face, all[above]); common.size() > 2) {
+    if (std::vector<Vec2> common = common_area(surface, nets, face, all[above], reach.mm);
+        common.size() > 2) {
       areas[{nets.piece[face], nets.piece[all[above].face]}].emplace_back(std::array{below, above},
                                                                           std::move(common));
     }
   });
   drop_openings_beyond(surface, all, area, areas);
-  std::vector<GlueOutline> glue_outlines;
+  return areas;
+}
+
+/// The outlines of all areas that hold something; `held` connects their bodies.
+void add_outlines(const mesh::Surface& surface, const unfold::Nets& nets, CommonAreas&& areas,
+                  DisjointSets& held, std::vector<GlueOutline>& glue_outlines) {
+  const auto body = [&](PieceId piece) {
+    return surface.component(nets.pieces[piece].faces.front()).value();
+  };
   for (auto& [pieces, list] : areas) {
     std::ranges::sort(list, {}, [](const auto& entry) { return entry.first; });
     std::vector<std::vector<Vec2>> polygons;
@@ -326,8 +339,25 @@ std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const 
     }
     if (auto outlines = outlines_of(polygons); !outlines.empty()) {
       glue_outlines.push_back({pieces.first, pieces.second, std::move(outlines)});
+      held.join(body(pieces.first), body(pieces.second));
     }
   }
+}
+
+}  // namespace
+
+std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const unfold::Nets& nets) {
+  if (surface.component_count() < 2) {
+    return {};
+  }
+  const std::vector<Lying> all = all_lying(surface);
+  std::vector<GlueOutline> glue_outlines;
+  DisjointSets held(surface.component_count());
+  for (const Reach& reach : {on_each_other, beside_each_other}) {
+    add_outlines(surface, nets, common_areas(surface, nets, all, reach, held), held, glue_outlines);
+  }
+  std::ranges::sort(glue_outlines, {},
+                    [](const GlueOutline& one) { return std::pair(one.piece, one.other); });
   return glue_outlines;
 }
 

@@ -131,6 +131,9 @@ std::string read_mark_digest(std::string_view bytes) {
   if (bytes.starts_with("# ") && bytes.substr(2).starts_with(word_start)) {
     return leading_digest(bytes.substr(2 + word_start.size()));  // OBJ
   }
+  if (bytes.starts_with("#usda ") || bytes.starts_with("glTF")) {
+    return digest_after_word(bytes.substr(0, mesh_header_size));
+  }
   if (bytes.starts_with("999\n")) {
     return digest_after_word(bytes.substr(0, mesh_header_size));  // DXF
   }
@@ -139,6 +142,9 @@ std::string read_mark_digest(std::string_view bytes) {
   }
   if (bytes.starts_with("IN;")) {  // HPGL: at the end
     return digest_after_word(bytes.substr(bytes.size() - std::min(bytes.size(), mesh_header_size)));
+  }
+  if (bytes.starts_with("PK\x03\x04")) {  // projects: in the first file, which is stored as it is
+    return json_digest(bytes.substr(0, mesh_header_size));
   }
   const auto first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) {

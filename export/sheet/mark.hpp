@@ -28,9 +28,10 @@ inline constexpr std::string_view mark_key = "ridgecraft:model_digest";
 
 /// The one word that carries the digest elsewhere: "ridgecraft-model:" and the digest. It stands in PDF
 /// (Keywords of the Info dictionary, not compressed), SVG (text of the element `metadata`), PNG (text of a
-/// tEXt chunk before the pixels), PLY and OFF (a comment near the top), OBJ (a comment, the first line), URDF
-/// and LightBurn projects (a comment before their first element), DXF (a comment at the top), EPS (a comment
-/// named Keywords), HPGL (a comment at the end) and HTML (an element `meta` at the top of its head).
+/// tEXt chunk before the pixels), PLY and OFF (a comment near the top), OBJ (a comment, the first line),
+/// URDF, MJCF, SDFormat and LightBurn projects (a comment before their first element), USD (its doc), GLB
+/// (its generator), DXF (a comment at the top), EPS (a comment named Keywords), HPGL (a comment at the end)
+/// and HTML (an element `meta` at the top of its head).
 [[nodiscard]] std::string mark_word(const Mark& mark);
 
 /// The mark of a file that this program made (any of its formats), or nothing if another program did. Reads

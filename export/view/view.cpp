@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <boost/polygon/polygon.hpp>
@@ -28,6 +29,8 @@ constexpr double grid_cells = 1e6;
 constexpr double same_depth_fraction = 1e-6;
 /// What overlaps by less of the scene's size only touches.
 constexpr double touch_fraction = 1e-6;
+/// More covers than this are cut away one by one, fewer all at once.
+constexpr std::size_t few_covers = 32;
 
 /// The part of a convex polygon on the left of the line from a to b.
 std::vector<Vec2> left_of(const std::vector<Vec2>& polygon, Vec2 a, Vec2 b) {
@@ -68,12 +71,17 @@ struct Hidden {
   double to = 0.0;
 };
 
+double area_of(const SeenFace& face) {
+  return 0.5 * std::abs(cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]));
+}
+
 class Looker {
  public:
-  Looker(const Scene& scene, const Camera& camera, double smallest)
+  Looker(const Scene& scene, const Camera& camera, double smallest, const Context& context)
       : scene_(scene),
         camera_(camera),
         smallest_(smallest),
+        context_(context),
         faces_(seen_faces(scene, camera)),
         tree_(tree_of(faces_)) {
     const Box2 box = seen_box(scene, camera);
@@ -106,6 +114,7 @@ class Looker {
   void find_what_lies_before() {
     before_.resize(faces_.size());
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
+      context_.check();
       const Box2 box = faces_[i].box();
       for_faces_near(box, [&](std::uint32_t j) {
         if (j > i && meet(box, faces_[j].box()) &&
@@ -113,6 +122,14 @@ class Looker {
           order_pair(i, j);
         }
       });
+    }
+    // Large ones first: little is left for the others.
+    for (std::vector<std::uint32_t>& before : before_) {
+      if (before.size() > few_covers) {
+        std::stable_sort(before.begin(), before.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return area_of(faces_[a]) > area_of(faces_[b]);
+        });
+      }
     }
   }
 
@@ -130,11 +147,11 @@ class Looker {
     i_before ? before_[j].push_back(i) : before_[i].push_back(j);
   }
 
-  [[nodiscard]] PlanarPolygon on_grid(const SeenFace& face) const {
-    std::array<PlanarPoint, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2 p = grid_cells / size_ * (face.corners[k] - origin_);
-      corners[k] = PlanarPoint(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+  [[nodiscard]] PlanarPolygon on_grid(std::span<const Vec2> outline) const {
+    std::vector<PlanarPoint> corners;
+    for (const Vec2 corner : outline) {
+      const Vec2 p = grid_cells / size_ * (corner - origin_);
+      corners.emplace_back(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
     }
     PlanarPolygon polygon;
     polygon.set(corners.begin(), corners.end());
@@ -148,6 +165,7 @@ class Looker {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return region(a) < region(b); });
     for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
+      context_.check();
       std::vector<std::uint32_t> members;
       bool whole = true;
       for (end = first; end < order.size() && region(order[end]) == region(order[first]); ++end) {
@@ -172,16 +190,20 @@ class Looker {
     }
   }
 
-  /// Whether nothing of a face is seen: it is cut by those before it into convex pieces, until none is left
-  /// or there are too many for this to be quick.
-  [[nodiscard]] bool is_covered(std::uint32_t i) const {
-    constexpr std::size_t most_pieces = 24;
+  /// What is left of a face, in convex pieces, when those before it are cut away; nothing at all where these
+  /// become more than `most`.
+  [[nodiscard]] std::optional<std::vector<std::vector<Vec2>>> pieces_left(std::uint32_t i,
+                                                                          std::size_t most) const {
     const SeenFace& face = faces_[i];
     const double touch = touch_fraction * size_;
     std::vector<std::vector<Vec2>> pieces{{face.corners.begin(), face.corners.end()}};
     for (const std::uint32_t j : before_[i]) {
       std::vector<std::vector<Vec2>> left;
       for (std::vector<Vec2>& piece : pieces) {
+        if (lies_apart(faces_[j], piece)) {
+          left.push_back(std::move(piece));
+          continue;
+        }
         std::vector<Vec2> rest = std::move(piece);
         for (std::size_t k = 0; k < 3 && rest.size() > 2; ++k) {
           const Vec2 a = faces_[j].corners[k];
@@ -195,13 +217,32 @@ class Looker {
       }
       pieces = std::move(left);
       if (pieces.empty()) {
-        return true;
+        break;
       }
-      if (pieces.size() > most_pieces) {
-        return false;
+      if (pieces.size() > most) {
+        return std::nullopt;
+      }
+    }
+    return pieces;
+  }
+
+  /// Whether a piece is on the other side of one of a face's sides.
+  [[nodiscard]] static bool lies_apart(const SeenFace& face, const std::vector<Vec2>& piece) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 a = face.corners[k];
+      const Vec2 side = face.corners[(k + 1) % 3] - a;
+      if (std::all_of(piece.begin(), piece.end(), [&](Vec2 p) { return cross(side, p - a) <= 0.0; })) {
+        return true;
       }
     }
     return false;
+  }
+
+  /// Whether nothing of a face is seen, where that is quickly found.
+  [[nodiscard]] bool is_covered(std::uint32_t i) const {
+    constexpr std::size_t most_pieces = 24;
+    const auto pieces = pieces_left(i, most_pieces);
+    return pieces && pieces->empty();
   }
 
   /// The outline of faces of one region, where it is one loop that meets no vertex twice.
@@ -246,11 +287,16 @@ class Looker {
         return scene_.region[faces_[i].face] == scene_.region[faces_[members.front()].face];
       });
     });
+    if (covers.size() > few_covers) {
+      if (auto seen = pieces_of(members)) {
+        return *seen;
+      }
+    }
     const auto without = [&](PlanarSet seen, const std::vector<std::uint32_t>& before) {
       if (!before.empty()) {
         PlanarSet covered;
         for (const std::uint32_t j : before) {
-          covered.insert(on_grid(faces_[j]));
+          covered.insert(on_grid(faces_[j].corners));
         }
         seen -= covered;
       }
@@ -259,10 +305,27 @@ class Looker {
     PlanarSet seen;
     for (const std::uint32_t i : members) {
       PlanarSet own;
-      own.insert(on_grid(faces_[i]));
+      own.insert(on_grid(faces_[i].corners));
       seen.insert(crossing ? without(own, before_[i]) : own);
     }
     return crossing ? seen : without(seen, covers);
+  }
+
+  /// The same piece by piece, which is quicker where many lie before: what they have in common isn't united.
+  [[nodiscard]] std::optional<PlanarSet> pieces_of(const std::vector<std::uint32_t>& members) const {
+    constexpr std::size_t most_pieces = 2000;
+    PlanarSet seen;
+    for (const std::uint32_t i : members) {
+      context_.check();
+      const auto pieces = pieces_left(i, most_pieces);
+      if (!pieces) {
+        return std::nullopt;
+      }
+      for (const std::vector<Vec2>& piece : *pieces) {
+        seen.insert(on_grid(piece));
+      }
+    }
+    return seen;
   }
 
   void add_area(const SeenFace& face, const PlanarSet& seen) {
@@ -299,6 +362,7 @@ class Looker {
       seen[faces_[i].face] = i;
     }
     for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
+      context_.check();
       std::array<std::uint32_t, 2> beside{Scene::hidden_region, Scene::hidden_region};
       std::size_t count = 0;
       for (const CornerId side : surface.sides(edge)) {
@@ -390,6 +454,7 @@ class Looker {
   const Scene& scene_;
   const Camera& camera_;
   double smallest_;
+  const Context& context_;
   std::vector<SeenFace> faces_;
   BoxTree<Box2> tree_;
   double size_ = 1.0;
@@ -400,8 +465,8 @@ class Looker {
 
 }  // namespace
 
-View look_at(const Scene& scene, const Camera& camera, double smallest) {
-  return Looker(scene, camera, smallest).look();
+View look_at(const Scene& scene, const Camera& camera, double smallest, const Context& context) {
+  return Looker(scene, camera, smallest, context).look();
 }
 
 }  // namespace ridgecraft::export_

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/context.hpp"
 #include "base/vector.hpp"
 #include "export/view/camera.hpp"
 #include "export/view/scene.hpp"
@@ -36,7 +37,8 @@ struct View {
 /// Areas are what is left of a region when all faces that lie before it are taken away; which of two faces
 /// lies before the other is asked at the middle of where they overlap, so faces that run through each other
 /// are drawn as if one lay before the other. Areas narrower than `smallest` and shorter lines are left out;
-/// the unit is that of the scene. Deterministic. O(n log n + pairs of faces that overlap).
-[[nodiscard]] View look_at(const Scene& scene, const Camera& camera, double smallest);
+/// the unit is that of the scene. Deterministic. O(n log n + pairs of faces that overlap). Throws
+/// Error(interrupted), Error(out_of_time).
+[[nodiscard]] View look_at(const Scene& scene, const Camera& camera, double smallest, const Context& context);
 
 }  // namespace ridgecraft::export_

@@ -158,10 +158,36 @@ std::shared_ptr<const std::array<Rgb, 256>> tint_of(const Colour& colour) {
   return table;
 }
 
+/// Pictures of a model have so many pixels in all, 600 MB with their coarser copies: more than a hundred
+/// pages show. What there are more is dropped from the largest ones.
+constexpr std::uint64_t most_pixels_in_all = 150'000'000;
+
+std::uint64_t pixels_of(const Picture& picture) {
+  return std::uint64_t{picture.width()} * picture.height();
+}
+
+void keep_budget(std::vector<std::shared_ptr<Picture>>& pictures) {
+  std::uint64_t sum = 0;
+  for (const auto& picture : pictures) {
+    sum += pixels_of(*picture);
+  }
+  while (sum > most_pixels_in_all) {
+    Picture& largest = **std::max_element(pictures.begin(), pictures.end(), [](const auto& a, const auto& b) {
+      return pixels_of(*a) < pixels_of(*b);
+    });
+    sum -= pixels_of(largest);
+    if (!largest.coarsen()) {
+      return;
+    }
+    sum += pixels_of(largest);
+  }
+}
+
 /// Materials as paints, then white for faces without one. Materials may share a picture: it is unpacked once.
 std::vector<Paint> paints_of(const Model& model, const Context& context, std::vector<std::string>& faults) {
   std::vector<Paint> paints;
   std::map<const std::string*, std::shared_ptr<const Picture>> unpacked_pictures;
+  std::vector<std::shared_ptr<Picture>> pictures;
   for (const Material& material : model.materials) {
     context.check();
     Paint paint;
@@ -172,7 +198,9 @@ std::vector<Paint> paints_of(const Model& model, const Context& context, std::ve
       const auto [found, fresh] = unpacked_pictures.try_emplace(material.picture.get());
       if (fresh) {
         if (auto picture = unpack_picture(*material.picture)) {
-          found->second = std::make_shared<const Picture>(std::move(*picture));
+          pictures.push_back(std::make_shared<Picture>(std::move(*picture)));
+          found->second = pictures.back();
+          keep_budget(pictures);
         } else {
           faults.push_back(fmt::format(
               "the picture of material \"{}\" is damaged or too large, so it isn't printed", material.name));

@@ -41,10 +41,6 @@ std::uint64_t spread(const std::uint8_t* pixel) {
 
 constexpr int jpeg_quality = 92;
 
-bool has_sensible_size(std::uint64_t width, std::uint64_t height) {
-  return width > 0 && height > 0 && width <= most_picture_pixels && height <= most_picture_pixels / width;
-}
-
 std::optional<Picture> unpack_png(std::string_view bytes) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -186,6 +182,14 @@ Picture::Picture(std::uint32_t width, std::uint32_t height, std::vector<std::uin
   }
 }
 
+bool Picture::coarsen() {
+  if (levels_.size() > 1) {
+    levels_.erase(levels_.begin());
+    return true;
+  }
+  return false;
+}
+
 unsigned Picture::level_for(double pixels_per_dot) const {
   unsigned level = 0;
   while (level + 1 < levels_.size() && pixels_per_dot >= 2.0) {
@@ -266,7 +270,9 @@ Rgb Picture::Level::between(const Four& at) const {
 }
 
 std::optional<Picture> unpack_picture(std::string_view bytes) {
-  return bytes.starts_with("\xff\xd8") ? unpack_jpeg(bytes) : unpack_png(bytes);
+  return bytes.starts_with("\xff\xd8")      ? unpack_jpeg(bytes)
+         : bytes.starts_with("\x89PNG\r\n") ? unpack_png(bytes)
+                                            : unpack_other_picture(bytes);
 }
 
 std::string pack_jpeg(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> pixels) {

@@ -51,6 +51,8 @@ constexpr std::array names_of_kinds{
     std::string_view("texture_missing"),
     std::string_view("texture_point_dropped"),
     std::string_view("element_ignored"),
+    std::string_view("object_left_out"),
+    std::string_view("feature_ignored"),
     std::string_view("motion_ignored"),
     std::string_view("points_joined"),
     std::string_view("border_points_joined"),

@@ -86,6 +86,8 @@ enum class RepairKind {
   texture_missing,           ///< picture missing, empty or unreadable
   texture_point_dropped,     ///< texture coordinate missing, not finite or out of reach
   element_ignored,           ///< lines, curves and the like among the faces
+  object_left_out,           ///< parts that the file marks as no part of the model: supports, modifiers
+  feature_ignored,           ///< what the file has and isn't read, each kind once
   motion_ignored,            ///< animations, joints, shape keys: the model is taken at rest
   // while repairing
   points_joined,         ///< points at equal places that several faces had each for itself

@@ -144,6 +144,16 @@ Box3 Surface::bounds(FaceId f) const {
   return box;
 }
 
+std::vector<Box3> component_bounds(const Surface& surface) {
+  std::vector<Box3> bounds(surface.component_count());
+  for (const FaceId f : ids<FaceId>(surface.face_count())) {
+    for (const VertexId v : surface.vertices(f)) {
+      bounds[surface.component(f).value()].add(surface.point(v));
+    }
+  }
+  return bounds;
+}
+
 double total_area(const Surface& surface) {
   double area = 0.0;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {

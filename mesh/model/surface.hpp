@@ -112,6 +112,8 @@ class Surface {
 
 /// Linear.
 [[nodiscard]] double total_area(const Surface& surface);
+/// The box of each component, by its number. O(n).
+[[nodiscard]] std::vector<Box3> component_bounds(const Surface& surface);
 
 /// In the order given, with the points that they use and no others. O(n log n).
 [[nodiscard]] Surface faces_alone(const Surface& surface, const std::vector<FaceId>& faces);

@@ -2,6 +2,7 @@
 #include "mesh/reading/files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "mesh/look/picture.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {
@@ -91,7 +93,6 @@ bool leads_out(const fs::path& relative) {
 using namespace std::string_view_literals;
 
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n"sv;
-constexpr std::string_view jpeg_signature = "\xff\xd8\xff"sv;
 
 std::size_t big_endian(std::string_view bytes, std::size_t at, std::size_t length) {
   std::size_t value = 0;
@@ -238,48 +239,129 @@ std::string picture_fault(std::string_view bytes) {
   if (bytes.empty()) {
     return "is empty";
   }
-  const bool png = bytes.starts_with(png_signature);
-  if (!png && !bytes.starts_with(jpeg_signature)) {
-    return "is no PNG or JPEG picture";
+  const std::optional<PictureFormat> format = picture_format(bytes);
+  if (!format) {
+    return "is no picture";
   }
-  return (png ? png_is_whole(bytes) : jpeg_is_whole(bytes)) ? "" : "is cut off or damaged";
+  if (!format->is_read) {
+    return fmt::format("is a {} picture, which isn't read: save it as PNG", format->name);
+  }
+  const bool whole = format->name == "PNG"    ? png_is_whole(bytes)
+                     : format->name == "JPEG" ? jpeg_is_whole(bytes)
+                                              : true;
+  return whole ? "" : "is cut off or damaged";
 }
 
-std::optional<std::filesystem::path> PictureFinder::file_of(const std::filesystem::path& folder,
-                                                            std::string_view name) const {
-  std::optional<std::filesystem::path> file = find_beside(folder, name);
-  if (!file) {
-    file = find_beside(source_.folder, name);
-  }
-  if (file && !lies_inside(source_.folder, *file)) {
-    // Paths are often those of the artist's disk, and a copy lies beside the model.
-    std::string slashes(name);
-    std::replace(slashes.begin(), slashes.end(), '\\', '/');
-    if (auto beside = find_beside(source_.folder, std::filesystem::path(slashes).filename().string())) {
-      file = std::move(beside);
+namespace {
+
+/// The last part of a path of any system.
+std::string last_name(std::string_view name) {
+  return std::string(name.substr(name.find_last_of("/\\") + 1));
+}
+
+constexpr std::array<std::string_view, 5> texture_folder_names{"textures", "texture", "tex", "images",
+                                                               "maps"};
+constexpr std::array<std::string_view, 8> picture_suffixes{"png", "jpg",  "jpeg", "tga",
+                                                           "bmp", "webp", "tif",  "gif"};
+
+/// Folders below this one that are called as such are.
+void add_texture_folders(const fs::path& folder, std::vector<fs::path>& found) {
+  std::error_code error;
+  std::vector<fs::path> here;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code no_folder;
+    if (std::any_of(texture_folder_names.begin(), texture_folder_names.end(),
+                    [&](std::string_view known) { return equal_ignoring_case(known, name); }) &&
+        entry->is_directory(no_folder)) {
+      here.push_back(entry->path());
     }
   }
-  return file;
+  std::sort(here.begin(), here.end());
+  found.insert(found.end(), here.begin(), here.end());
 }
 
-PictureFinder::Found PictureFinder::find(const std::filesystem::path& folder, std::string_view name) {
-  const auto file = file_of(folder, name);
-  const auto [entry, fresh] = found_.try_emplace(file ? file->string() : std::string(name));
+}  // namespace
+
+const std::vector<fs::path>& PictureFinder::texture_folders() {
+  if (!texture_folders_) {
+    texture_folders_.emplace();
+    add_texture_folders(source_.folder, *texture_folders_);
+    std::error_code error;
+    const fs::path home = fs::canonical(source_.folder, error);
+    if (!error && equal_ignoring_case(home.filename().string(), "source")) {
+      add_texture_folders(source_.folder / "..", *texture_folders_);
+    }
+  }
+  return *texture_folders_;
+}
+
+/// Its real place is below the model's folder, or in a folder for pictures.
+bool PictureFinder::is_allowed(const fs::path& file) {
+  if (lies_inside(source_.folder, file)) {
+    return true;
+  }
+  const auto& folders = texture_folders();
+  return std::any_of(folders.begin(), folders.end(), [&](const fs::path& folder) {
+    return lies_inside(source_.folder / "..", folder) && lies_inside(folder, file);
+  });
+}
+
+/// All that exist, the likeliest first.
+std::vector<fs::path> PictureFinder::places_of(const fs::path& folder, std::string_view name) {
+  std::vector<fs::path> places;
+  const auto add = [&](const fs::path& in, std::string_view called) {
+    if (auto file = find_beside(in, called)) {
+      places.push_back(std::move(*file));
+    }
+  };
+  add(folder, name);
+  add(source_.folder, name);
+  const std::string last = last_name(name);
+  add(source_.folder, last);
+  for (const fs::path& in : texture_folders()) {
+    add(in, last);
+  }
+  return places;
+}
+
+/// The same picture in other formats.
+std::vector<fs::path> PictureFinder::copies_of(std::string_view name) {
+  std::vector<fs::path> places;
+  const std::string stem = fs::path(last_name(name)).stem().string();
+  for (const std::string_view suffix : picture_suffixes) {
+    const std::vector<fs::path> found = places_of(source_.folder, fmt::format("{}.{}", stem, suffix));
+    places.insert(places.end(), found.begin(), found.end());
+  }
+  return places;
+}
+
+PictureFinder::Found PictureFinder::find(const fs::path& folder, std::string_view name) {
+  const auto [entry, fresh] = found_.try_emplace(folder.string() + '\n' + std::string(name));
   if (!fresh) {
     return entry->second;
   }
-  std::string why = "was not found";
-  if (file) {
-    why = lies_inside(source_.folder, *file) ? load(*file, entry->second)
-                                             : "lies outside the model's folder, where nothing is read";
-  }
-  if (!why.empty()) {
-    remarks_.add(RepairKind::texture_missing, 1, fmt::format("{} {}", in_quotes(name), why));
-    return {};
-  }
-  entry->second.file = file->lexically_relative(source_.folder).string();
-  if (entry->second.file.empty()) {  // one path is absolute, the other isn't
-    entry->second.file = std::filesystem::absolute(*file).string();
+  Found& kept = entry->second;  // lambdas of older clang capture no parts of a pair
+  std::string why;
+  const auto try_all = [&](const std::vector<fs::path>& places) {
+    for (const fs::path& file : places) {
+      std::string fault =
+          is_allowed(file) ? load(file, kept) : "lies outside the model's folder, where nothing is read";
+      if (fault.empty()) {
+        kept.file = file.lexically_relative(source_.folder).string();
+        if (kept.file.empty()) {  // one path is absolute, the other isn't
+          kept.file = fs::absolute(file).string();
+        }
+        return true;
+      }
+      why = why.empty() ? std::move(fault) : why;
+    }
+    return false;
+  };
+  if (!try_all(places_of(folder, name)) && !try_all(copies_of(name))) {
+    remarks_.add(
+        RepairKind::texture_missing, 1,
+        fmt::format("{} {}", in_quotes(name), why.empty() ? "was not found: copy it beside the model" : why));
   }
   return entry->second;
 }

@@ -51,7 +51,8 @@ struct FoundInside {
 
 // Whether a texture can be used: looked at from outside, without decoding it.
 
-/// Empty for a PNG or JPEG picture that is there to its end; otherwise what is wrong with it, as "is empty".
+/// Empty for a picture in a format that is read (mesh/look/picture.hpp) that is there to its end as far as
+/// that is quickly seen; otherwise what is wrong with it, as "is empty".
 [[nodiscard]] std::string picture_fault(std::string_view bytes);
 
 // The texture pictures that the materials of a model name.
@@ -66,18 +67,24 @@ class PictureFinder {
 
   PictureFinder(const Source& source, RepairReport& remarks) : source_(source), remarks_(remarks) {}
 
-  /// The picture that a file in `folder` calls `name`. It has to lie in the source's folder or below. Nothing
-  /// where it is missing or can't be used.
+  /// The picture that a file in `folder` calls `name`, at that place or, by the last part of its name, beside
+  /// the model, in a folder there that is called textures, texture, tex, images or maps, or in such a one
+  /// beside a folder called source, as Sketchfab packs them. Where that is none, or in a format that isn't
+  /// read, one of the same name but for the suffix. Nothing where it is missing or can't be used.
   [[nodiscard]] Found find(const std::filesystem::path& folder, std::string_view name);
 
  private:
-  [[nodiscard]] std::optional<std::filesystem::path> file_of(const std::filesystem::path& folder,
-                                                             std::string_view name) const;
+  [[nodiscard]] std::vector<std::filesystem::path> places_of(const std::filesystem::path& folder,
+                                                             std::string_view name);
+  [[nodiscard]] std::vector<std::filesystem::path> copies_of(std::string_view name);
+  [[nodiscard]] const std::vector<std::filesystem::path>& texture_folders();
+  [[nodiscard]] bool is_allowed(const std::filesystem::path& file);
   [[nodiscard]] std::string load(const std::filesystem::path& file, Found& into) const;
 
   const Source& source_;
   RepairReport& remarks_;
-  std::map<std::string, Found> found_;
+  std::map<std::string, Found> found_;                                 ///< by the names
+  std::optional<std::vector<std::filesystem::path>> texture_folders_;  ///< that there are
 };
 
 // Colours and pictures that a file gives face by face (PLY, OFF) become materials, one for each that is

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF with the variants of Geomview's description: [ST][C][N]OFF. One point or face a line; what follows a
-// point's coordinates (normals, texture coordinates) is skipped, but for its colour.
+// OFF with the variants of Geomview's description: [ST][C][N]OFF, and with counts right behind the keyword
+// (ModelNet). One point or face a line; what follows a point's coordinates (normals, texture coordinates) is
+// skipped, but for its colour.
 #include <cmath>
 #include <optional>
 
@@ -42,6 +43,8 @@ class OffReader {
       read_face();
     }
     paint_.finish(soup_, {});
+    soup_.remarks.add(RepairKind::feature_ignored, numbered_colours_ > 0 ? 1 : 0,
+                      "colours by their numbers in a table: write them as red, green and blue");
     if (colour_of_point_.size() == soup_.points.size()) {
       colour_corners(soup_, colour_of_point_);
     }
@@ -74,7 +77,8 @@ class OffReader {
   [[noreturn]] void refuse_word(std::string_view expected) {
     source_.refuse_line(ErrorKind::unreadable_input, text_.place(),
                         text_.line_is_over() ? fmt::format("{} is missing", expected)
-                                             : fmt::format("{} is no number", in_quotes(text_.peek_word())));
+                                             : fmt::format("{} is no number{}", in_quotes(text_.peek_word()),
+                                                           comma_hint(text_.peek_word())));
   }
 
   const Source& source_;
@@ -86,14 +90,14 @@ class OffReader {
   bool points_have_colours_ = false;
   bool points_have_normals_ = false;
   std::vector<std::uint32_t> colour_of_point_;
+  std::size_t numbered_colours_ = 0;  ///< that are places in a table elsewhere
   FacePaint paint_;
 };
 
 void OffReader::read_keyword() {
   text_.skip_space('#');
-  std::string_view word = text_.peek_word();
-  word = word.substr(0, word.find('#'));
-  if (!is_off_keyword(word)) {
+  const std::string_view word = off_keyword(text_.peek_word());
+  if (word.empty()) {
     return;  // the keyword may be left out
   }
   if (word.find('4') != word.npos || word.find('n') != word.npos) {
@@ -200,6 +204,7 @@ std::optional<Colour> OffReader::read_colour() {
   bool bytes = true;
   for (double& channel : colour) {
     if (text_.line_is_over()) {
+      numbered_colours_ += &channel == &colour[1] ? 1U : 0U;
       return std::nullopt;
     }
     const std::string_view word = text_.peek_word();

@@ -99,6 +99,8 @@ Soup PlyReader::read() {
       read_edges(element);
     } else {
       skip_element(element);
+      soup_.remarks.add(RepairKind::feature_ignored, element.count > 0 ? 1 : 0,
+                        fmt::format("elements {}", in_quotes(element.name)));
     }
   }
   finish();

@@ -25,7 +25,21 @@ namespace {
 using namespace std::string_view_literals;
 
 /// How somebody who has such a file gets one that is read.
-enum class Way { none, blender, cad, sketchup, pepakura, source, by_suffix };
+enum class Way {
+  none,
+  blender,
+  cad,
+  sketchup,
+  pepakura,
+  source,
+  mmd,
+  voxels,
+  blockbench,
+  cityjson,
+  citygml,
+  ldraw,
+  by_suffix
+};
 
 struct Signature {
   std::string_view start;
@@ -56,6 +70,12 @@ constexpr std::array signatures{
     Signature{"; FBX"sv, "an FBX model", Way::blender, FileFormat::fbx},
     Signature{"BLENDER"sv, "a Blender file", Way::blender, FileFormat::blend},
     Signature{"ISO-10303-21"sv, "a STEP model", Way::cad},
+    Signature{"Metasequoia Document"sv, "a Metasequoia model", Way::source},
+    Signature{"PMX "sv, "a model of MikuMikuDance (PMX)", Way::mmd},
+    Signature{"Pmd"sv, "a model of MikuMikuDance (PMD)", Way::mmd},
+    Signature{"VOX "sv, "a MagicaVoxel model", Way::voxels},
+    Signature{"0 FILE "sv, "an LDraw model", Way::ldraw},
+    Signature{"0 !LDRAW"sv, "an LDraw model", Way::ldraw},
     Signature{"PXR-USDC"sv, "a USD model", Way::blender},
     Signature{"#usda"sv, "a USD model", Way::blender},
     Signature{"#VRML"sv, "a VRML model", Way::blender},
@@ -86,6 +106,7 @@ constexpr std::array markup{
     Signature{"<collada", "a COLLADA model", Way::blender, FileFormat::dae},
     Signature{"<x3d", "an X3D model", Way::blender},
     Signature{"<amf", "an AMF model", Way::blender},
+    Signature{"citymodel", "a CityGML city model", Way::citygml},
     Signature{"<svg", "an SVG picture"},
     Signature{"<!doctype html", "an HTML page"},
     Signature{"<html", "an HTML page"},
@@ -132,6 +153,15 @@ constexpr std::array suffixes{
     Signature{"mb", "a scene of Maya", Way::source},
     Signature{"c4d", "a scene of Cinema 4D", Way::source},
     Signature{"pdo", "a Pepakura file of another version", Way::pepakura},
+    Signature{"mqo", "a Metasequoia model", Way::source},
+    Signature{"mqoz", "a Metasequoia model", Way::source},
+    Signature{"pmx", "a model of MikuMikuDance (PMX)", Way::mmd},
+    Signature{"pmd", "a model of MikuMikuDance (PMD)", Way::mmd},
+    Signature{"vox", "a MagicaVoxel model", Way::voxels},
+    Signature{"bbmodel", "a Blockbench model", Way::blockbench},
+    Signature{"ldr", "an LDraw model", Way::ldraw},
+    Signature{"mpd", "an LDraw model", Way::ldraw},
+    Signature{"gml", "a CityGML city model", Way::citygml},
     Signature{"gcode", "a print that was sliced already", Way::source},
 };
 
@@ -143,6 +173,12 @@ std::string_view words(Way way) {
       "export it from SketchUp as glTF (.glb), OBJ or STL",
       "export it from Pepakura Designer as OBJ",
       "export it from the program that it was made with as glTF (.glb), OBJ or STL",
+      "open it in Blender with the add-on MMD Tools and export it as glTF (.glb) or OBJ",
+      "export it from MagicaVoxel as OBJ or PLY",
+      "export it from Blockbench as glTF or OBJ",
+      "'cjio FILE export obj FILE.obj' makes an OBJ file of it",
+      "citygml-tools makes CityJSON of it, and 'cjio FILE export obj FILE.obj' an OBJ file of that",
+      "open it in LeoCAD and export it as OBJ",
       ""};
   return of_way[static_cast<std::size_t>(way)];
 }
@@ -198,7 +234,12 @@ std::optional<Signature> markup_or_json(std::string_view bytes) {
     }
   }
   if (start.starts_with('{')) {
-    return Signature{{}, "a JSON file"};
+    if (bytes.find("\"CityJSON\"") != bytes.npos) {
+      return Signature{{}, "a CityJSON city model", Way::cityjson};
+    }
+    return contains_ignoring_case(start, "\"model_format\"")
+               ? Signature{{}, "a Blockbench model", Way::blockbench}
+               : Signature{{}, "a JSON file", Way::by_suffix};
   }
   return std::nullopt;
 }
@@ -247,6 +288,27 @@ std::string sentence_of(const Signature& known) {
 std::optional<std::string> foreign_suffix(std::string_view suffix) {
   const auto found = by_suffix(suffix);
   return found ? std::optional(sentence_of(*found)) : std::nullopt;
+}
+
+/// "3.4" of a file that Blender saved, where that is a version that Assimp doesn't read; empty for older ones
+/// and all other files. From 3.0 on files are packed by zstd, and the version isn't seen.
+std::string newer_blender(std::string_view bytes, std::string_view suffix) {
+  constexpr std::string_view zstd = "\x28\xb5\x2f\xfd";
+  if (bytes.starts_with(zstd) && equal_ignoring_case(suffix, "blend")) {
+    return "3.0 or later";
+  }
+  constexpr std::string_view mark = "BLENDER";
+  if (!bytes.starts_with(mark)) {
+    return {};
+  }
+  const std::string_view header = bytes.substr(mark.size(), 10);
+  const std::size_t v = header.find_first_of("vV");
+  std::string digits(v == header.npos ? std::string_view() : header.substr(v + 1, 4));
+  digits.resize(std::min(digits.size(), digits.find_first_not_of("0123456789")));
+  const int version =
+      digits.empty() ? 0 : std::stoi(digits.size() == 4 ? digits.substr(1) : digits.substr(0, 3));
+  constexpr int last_read = 279;
+  return version > last_read ? fmt::format("{}.{}", version / 100, version % 100) : std::string();
 }
 
 /// The same for content; nothing where that can't be seen. The suffix helps with what many formats are packed
@@ -321,7 +383,7 @@ std::optional<FileFormat> by_first_word(std::string_view text) {
   TextScanner scanner(text);
   scanner.skip_space('#');
   const std::string_view word = scanner.peek_word();
-  if (is_off_keyword(word.substr(0, word.find('#')))) {
+  if (!off_keyword(word).empty()) {
     return FileFormat::off;
   }
   if (std::find(obj_keywords.begin(), obj_keywords.end(), word) != obj_keywords.end()) {
@@ -427,6 +489,11 @@ FileFormat detect_format(const Source& source, std::string_view file_name) {
   if (is_gltf_text(bytes, file_name)) {
     return FileFormat::gltf;
   }
+  if (const std::string version = newer_blender(bytes, suffix(file_name)); !version.empty()) {
+    source.refuse(ErrorKind::unreadable_input,
+                  fmt::format("was saved by Blender {}, and files up to 2.79 are read: {}", version,
+                              words(Way::blender)));
+  }
   if (!source.importer.empty()) {
     if (const auto format = imported_format(bytes, suffix(file_name))) {
       return *format;
@@ -468,17 +535,23 @@ std::string_view way_by_blender() {
   return words(Way::blender);
 }
 
-bool is_off_keyword(std::string_view word) {
-  if (!word.ends_with("OFF")) {
-    return false;
-  }
-  std::string_view prefix = word.substr(0, word.size() - 3);
-  for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
-    if (prefix.starts_with(part)) {
-      prefix.remove_prefix(part.size());
+std::string_view off_keyword(std::string_view word) {
+  for (const std::string_view keyword : {"OFF", "off", "Off"}) {
+    const std::size_t at = word.find(keyword);
+    if (at == word.npos) {
+      continue;
     }
+    std::string_view prefix = word.substr(0, at);
+    const std::string_view rest = word.substr(at + keyword.size());
+    for (const std::string_view part : {"ST", "C", "N", "4", "n"}) {
+      if (prefix.starts_with(part)) {
+        prefix.remove_prefix(part.size());
+      }
+    }
+    const bool ends = rest.empty() || rest.front() == '#' || (rest.front() >= '0' && rest.front() <= '9');
+    return prefix.empty() && ends ? word.substr(0, at + keyword.size()) : std::string_view();
   }
-  return prefix.empty();
+  return {};
 }
 
 Soup parse_soup(std::string_view bytes, std::string_view file_name,

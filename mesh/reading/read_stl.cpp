@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL, ASCII and binary: facets with corners of their own. Normals and attribute bytes are ignored, since the
-// order of the corners says where the outside is.
+// STL, ASCII and binary: facets with corners of their own. Normals are ignored, since the order of the
+// corners says where the outside is. Attribute bytes of binary files are colours where they can be: as VisCAM
+// and SolidView write them, or as Materialise Magics does.
 #include <bit>
 #include <cmath>
+#include <map>
+#include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -137,6 +141,9 @@ bool AsciiReader::read_solid() {
       read_facet(word.data());
     } else if (equal_ignoring_case(word, "color")) {
       (void)text_.rest_of_line();
+      soup_.remarks.add(RepairKind::feature_ignored,
+                        soup_.remarks.count(RepairKind::feature_ignored) == 0 ? 1 : 0,
+                        "colours of text: binary STL, OBJ or 3MF keep them");
     } else if (equal_ignoring_case(word, "endsolid")) {
       (void)text_.rest_of_line();
       return true;
@@ -197,7 +204,8 @@ void AsciiReader::read_vertex() {
   for (double& coordinate : xyz) {
     text_.skip_space('\0');
     if (!text_.number(coordinate)) {
-      refuse(text_.peek_word(), "a number is expected");
+      const std::string_view word = text_.peek_word();
+      refuse(word, fmt::format("a number is expected{}", comma_hint(word)));
     }
     if (!std::isfinite(coordinate)) {
       source_.refuse_line(ErrorKind::unusable_mesh, text_.place(),
@@ -206,6 +214,68 @@ void AsciiReader::read_vertex() {
   }
   add_corner(soup_, {xyz[0], xyz[1], xyz[2]});
 }
+
+/// Facets' colours: five bits a channel, and one that says whose colour it is.
+class AttributeColours {
+ public:
+  /// Magics says in the header what facets without a colour have, and writes red into the lowest bits; others
+  /// write blue there, and set the highest bit where there is a colour.
+  explicit AttributeColours(std::string_view header) {
+    constexpr std::string_view mark = "COLOR=";
+    const std::size_t at = header.substr(0, stl_header_size).find(mark);
+    is_magics_ = at != header.npos && at + mark.size() + 3 <= stl_header_size;
+    for (std::size_t k = 0; is_magics_ && k < 3; ++k) {
+      whole_[k] = static_cast<std::uint8_t>(header[at + mark.size() + k]);
+    }
+  }
+
+  void add(std::uint16_t attribute) {
+    attributes_.push_back(attribute);
+    const bool marked = (attribute & own_bit) != 0;
+    any_ = any_ || marked;
+    // Numbers that some programs leave there are no colours.
+    is_other_ = is_other_ || (!marked && attribute != 0);
+  }
+
+  void paint(Soup& soup) const {
+    if (attributes_.empty() || (!is_magics_ && (!any_ || is_other_))) {
+      return;
+    }
+    std::map<std::optional<ColourBytes>, std::uint32_t> number;
+    for (const std::uint16_t attribute : attributes_) {
+      const std::optional<ColourBytes> colour = colour_of_facet(attribute);
+      const auto [found, fresh] = number.try_emplace(colour, static_cast<std::uint32_t>(number.size()));
+      if (fresh) {
+        soup.materials.push_back({fmt::format("paint {}", number.size()),
+                                  colour ? std::optional(colour_of(*colour)) : std::nullopt,
+                                  {}});
+      }
+      soup.polygon_material.push_back(found->second);
+    }
+  }
+
+ private:
+  static constexpr std::uint16_t own_bit = 0x8000;
+
+  [[nodiscard]] std::optional<ColourBytes> colour_of_facet(std::uint16_t attribute) const {
+    const bool marked = (attribute & own_bit) != 0;
+    if (marked == is_magics_) {
+      return is_magics_ ? std::optional(whole_) : std::nullopt;
+    }
+    ColourBytes colour{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const unsigned channel = attribute >> (5U * (is_magics_ ? k : 2 - k)) & 31U;
+      colour[k] = static_cast<std::uint8_t>(channel << 3U | channel >> 2U);
+    }
+    return colour;
+  }
+
+  bool is_magics_ = false;
+  bool any_ = false;
+  bool is_other_ = false;
+  ColourBytes whole_{};
+  std::vector<std::uint16_t> attributes_;
+};
 
 }  // namespace
 
@@ -225,6 +295,7 @@ Soup read_stl_binary(const Source& source) {
   soup.points.reserve(3 * facets);
   soup.corner_point.reserve(3 * facets);
   soup.first_corner.reserve(facets + 1);
+  AttributeColours colours(source.bytes);
   const char* facet = source.bytes.data() + stl_header_size;
   for (std::uint64_t i = 0; i < facets; ++i, facet += stl_facet_size) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -237,10 +308,12 @@ Soup read_stl_binary(const Source& source) {
       add_corner(soup, point);
     }
     close_polygon(soup);
+    colours.add(static_cast<std::uint16_t>(little_endian({facet + 48, 2})));
     if (i % facets_per_check == 0) {
       source.context.check();
     }
   }
+  colours.paint(soup);
   return soup;
 }
 

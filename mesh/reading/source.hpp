@@ -91,8 +91,10 @@ inline constexpr std::size_t stl_facet_size = 50;
   return stl_header_size + stl_facet_size * facets;
 }
 
-/// "OFF", with the prefixes of the format's description (Geomview): [ST][C][N][4][n]OFF.
-[[nodiscard]] bool is_off_keyword(std::string_view word);
+/// The keyword that a word begins with: "OFF", in letters of either case, with the prefixes of the format's
+/// description (Geomview): [ST][C][N][4][n]OFF. Only a number or a comment may follow it. Empty where there
+/// is none.
+[[nodiscard]] std::string_view off_keyword(std::string_view word);
 
 /// What somebody can do with a file of a format that only Assimp reads.
 [[nodiscard]] std::string_view way_by_blender();

@@ -108,6 +108,12 @@ bool TextScanner::skip_joint() {
   return true;
 }
 
+std::string_view comma_hint(std::string_view word) {
+  return word.find(',') == word.npos
+             ? ""
+             : " (numbers need a decimal point, not a comma: export it again with English number formats)";
+}
+
 void TextScanner::skip_space(char comment_mark) {
   for (; at_ != end_; ++at_) {
     if (*at_ == comment_mark && comment_mark != '\0') {

@@ -19,6 +19,10 @@ namespace ridgecraft::mesh {
 }
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
+/// What to say behind a word that is no number: some programs write 1,5 in the custom of their user's
+/// country.
+[[nodiscard]] std::string_view comma_hint(std::string_view word);
+
 /// A place in a text that moves forward.
 class TextScanner {
  public:

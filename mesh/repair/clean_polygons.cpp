@@ -367,6 +367,7 @@ void choose(PolygonList& list, std::span<const std::uint32_t> group, std::vector
     keep[*reversed] = true;
   } else {
     list.two_sided[group[0]] = 1;
+    list.reversed_copy.emplace(list.origin[group[0]], list.origin[*reversed]);
   }
 }
 
@@ -436,6 +437,7 @@ void drop_duplicates(PolygonList& list, RepairReport& report) {
     keep_polygon(kept, list, i, corners);
   }
   kept.points = std::move(list.points);
+  kept.reversed_copy = std::move(list.reversed_copy);
   list = std::move(kept);
 }
 
@@ -455,7 +457,9 @@ void drop_duplicates(TriangleList& list, RepairReport& report) {
     polygons.origin.push_back(t.origin);
     polygons.two_sided.push_back(t.two_sided ? 1 : 0);
   }
+  polygons.reversed_copy = std::move(list.reversed_copy);
   drop_duplicates(polygons, report);
+  list.reversed_copy = std::move(polygons.reversed_copy);
   list.triangles.clear();
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const std::size_t c = polygons.first[i];

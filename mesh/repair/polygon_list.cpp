@@ -122,6 +122,7 @@ class Triangulator {
       }
     }
     result_.points = std::move(list_.points);
+    result_.reversed_copy = std::move(list_.reversed_copy);
     return std::move(result_);
   }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <utility>
@@ -26,6 +27,8 @@ struct PolygonList {
   std::vector<std::uint32_t> textures;  ///< as Soup::corner_texture, same length as corners
   std::vector<std::uint32_t> origin;    ///< number in the file
   std::vector<std::uint8_t> two_sided;  ///< 1: a reversed copy was dropped, so its direction means nothing
+  /// By the number of such a polygon in the file: that of the copy.
+  std::map<std::uint32_t, std::uint32_t> reversed_copy;
 
   [[nodiscard]] std::size_t size() const { return first.size() - 1; }
   [[nodiscard]] std::span<const std::uint32_t> polygon(std::size_t i) const {
@@ -50,6 +53,7 @@ struct Triangle {
 struct TriangleList {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
+  std::map<std::uint32_t, std::uint32_t> reversed_copy;  ///< as PolygonList::reversed_copy
 };
 
 /// Details of remarks: where it was first.

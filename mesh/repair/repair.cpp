@@ -19,6 +19,7 @@
 #include "mesh/repair/pair_faces.hpp"
 #include "mesh/repair/polygon_list.hpp"
 #include "mesh/repair/self_intersections.hpp"
+#include "mesh/repair/star_polygons.hpp"
 #include "mesh/repair/weld.hpp"
 
 namespace ridgecraft::mesh {
@@ -312,7 +313,27 @@ void take_objects(const Soup& soup, Model& model) {
   }
 }
 
-Model build(const Soup& soup, const TriangleList& list) {
+/// The polygon whose material a triangle shows: the reversed copy of its own where it runs the way of that.
+std::uint32_t shown_polygon(const TriangleList& list, const Triangle& triangle) {
+  const auto copy = triangle.turned ? list.reversed_copy.find(triangle.origin) : list.reversed_copy.end();
+  return copy == list.reversed_copy.end() ? triangle.origin : copy->second;
+}
+
+/// The texture of the polygon's corner that is nearest to a place.
+std::uint32_t texture_at(const Soup& soup, std::uint32_t polygon, Vec3 place) {
+  std::uint32_t nearest = Soup::none;
+  double least = INFINITY;
+  for (std::uint32_t c = soup.first_corner[polygon]; c < soup.first_corner[polygon + 1]; ++c) {
+    const Vec3 away = soup.points[soup.corner_point[c]] - place;
+    if (const double distance = dot(away, away); distance < least) {
+      least = distance;
+      nearest = soup.corner_texture[c];
+    }
+  }
+  return nearest;
+}
+
+Model build(const Soup& soup, const TriangleList& list, double file_scale) {
   Model model;
   std::vector<std::array<std::uint32_t, 3>> faces;
   const bool textured = !soup.corner_texture.empty();
@@ -320,11 +341,16 @@ Model build(const Soup& soup, const TriangleList& list) {
   for (const Triangle& t : list.triangles) {
     faces.push_back(t.points);
     model.polygon.push_back(t.origin);
+    const std::uint32_t shown = shown_polygon(list, t);
     if (!soup.polygon_material.empty()) {
-      model.material.push_back(soup.polygon_material[t.origin]);
+      model.material.push_back(soup.polygon_material[shown]);
     }
     if (textured) {
-      model.texture.push_back({place(t.textures[0]), place(t.textures[1]), place(t.textures[2])});
+      std::array<std::uint32_t, 3> textures = t.textures;
+      for (std::size_t k = 0; k < 3 && shown != t.origin; ++k) {
+        textures[k] = texture_at(soup, shown, file_scale * list.points[t.points[k]]);
+      }
+      model.texture.push_back({place(textures[0]), place(textures[1]), place(textures[2])});
     }
   }
   model.surface = surface_of(list.points, faces);
@@ -367,6 +393,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   const std::size_t joined = join_equal_points(polygons);
   report.add(RepairKind::points_joined, repeats_points(soup.format) ? 0 : joined);
   drop_repeated_corners(polygons, report);
+  outline_stars(polygons, flat * diagonal, report);
   report.add(RepairKind::border_points_joined, join_border_points(polygons, near * diagonal, context));
   drop_duplicates(polygons, report);
   context.check();
@@ -388,7 +415,7 @@ Model repair(Soup soup, const ReadOptions& options, const Context& context) {
   make_manifold(triangles, uses, report, context);
   turn_outwards(triangles, uses, report, context);
   uses = std::vector<EdgeUse>();  // = {} would keep its memory while the surface is built
-  Model model = build(soup, triangles);
+  Model model = build(soup, triangles, file_scale);
   model.file_scale = file_scale;
   model.corner_colours = corner_colours_of(soup, file_scale);
   model.lines = std::move(lines);

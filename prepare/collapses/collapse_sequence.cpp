@@ -11,13 +11,13 @@
 // clang-format on
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "base/context.hpp"
-#include "base/elementary.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
@@ -60,6 +60,15 @@ template <class Profile>
 template <class Profile>
 [[nodiscard]] double length_of(const Profile& profile) {
   return std::sqrt(CGAL::squared_distance(profile.p0(), profile.p1()));
+}
+
+double area_of(const EditMesh& mesh, EditMesh::FaceHandle f) {
+  std::array<Vec3, 3> corner;
+  std::size_t k = 0;
+  for (const auto v : mesh.fv_range(f)) {
+    corner[k++] = to_vector(mesh.point(v));
+  }
+  return 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
 }
 
 /// Whether both ends of an edge have a quadric. A vertex among faces that are too small to have a normal has
@@ -222,7 +231,7 @@ class GuardedPlacement {
   Watch* watch_;
 };
 
-/// CGAL's cost, weighted so that short edges come first.
+/// CGAL's cost, weighted by areas.
 class WeightedCost {
  public:
   // Tells CGAL to call the next two.
@@ -231,9 +240,7 @@ class WeightedCost {
   void initialize(const EditMesh& mesh, const Map& map, const Traits& traits) const {
     policies_->initialize(mesh, map, traits);
     for (const auto v : mesh.vertices()) {
-      if (const MirrorPlane* plane = bound_->plane(v, v)) {
-        put(policies_->vcm(), v, whole_quadric(mesh, map, traits, v, *plane));
-      }
+      put(policies_->vcm(), v, whole_quadric(mesh, map, traits, v));
     }
   }
   template <class Profile>
@@ -242,8 +249,8 @@ class WeightedCost {
     bound_->join(profile.v0() == v ? profile.v1() : profile.v0(), v);
   }
 
-  WeightedCost(const Policies& policies, PlanePoints& bound, const CollapseRules& rules, Watch& watch)
-      : policies_(&policies), bound_(&bound), rules_(rules), watch_(&watch) {}
+  WeightedCost(const Policies& policies, PlanePoints& bound, Watch& watch)
+      : policies_(&policies), bound_(&bound), watch_(&watch) {}
 
   template <class Profile>
   boost::optional<EditKernel::FT> operator()(const Profile& profile,
@@ -257,41 +264,42 @@ class WeightedCost {
     }
     const auto p = Policies::point_to_homogenous_column(*place);
     const double cost = (p.transpose() * quadric_of(*policies_, *bound_, profile) * p)(0, 0);
-    if (rules_.power == 0.0) {
-      return cost;
-    }
     const double squared = CGAL::squared_distance(profile.p0(), profile.p1());
-    const double ratio = std::max(squared / (rules_.short_edge * rules_.short_edge), 1e-4);
     // In flat regions all errors are nothing but rounding: there the length alone decides.
-    return (std::max(cost, 0.0) + flat_error * squared) * elementary::pow(ratio, 0.5 * rules_.power);
+    return (std::max(cost, 0.0) + flat_error * squared * squared) * squared;
   }
 
  private:
-  /// Error of an edge that is as good as none, as a share of its squared length.
+  /// Error of an edge that is as good as none, as a share of its length to the fourth.
   static constexpr double flat_error = 1e-6;
 
-  /// As CGAL's initialize makes it of the whole surface: of faces and border edges, and their mirror images.
+  /// Of faces and border edges as CGAL's initialize makes it, each weighted by its area, and of the mirror
+  /// images of those beside a plane: without the weights a wall would count no more than a crumb beside it.
   template <class Map, class Traits>
   [[nodiscard]] Quadric whole_quadric(const EditMesh& mesh, const Map& map, const Traits& traits,
-                                      EditMesh::VertexHandle v, const MirrorPlane& plane) const {
+                                      EditMesh::VertexHandle v) const {
     constexpr double discontinuity = 100.0;  // CGAL's own default
+    const auto weighted = [&](EditMesh::FaceHandle f, const Quadric& quadric) {
+      return Quadric(area_of(mesh, f) * quadric);
+    };
     Quadric sum = Quadric::Zero();
     for (const auto f : mesh.vf_range(v)) {
-      sum += policies_->construct_quadric(f, mesh, map, traits);
+      sum += weighted(f, policies_->construct_quadric(f, mesh, map, traits));
     }
     for (const auto h : mesh.voh_range(v)) {
       if (mesh.is_boundary(mesh.edge_handle(h)) && !bound_->is_seam(mesh, h)) {
         const auto inner =
             mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : EditMesh::HalfedgeHandle(h);
-        sum += discontinuity * policies_->construct_quadric(inner, mesh, map, traits);
+        sum += discontinuity *
+               weighted(mesh.face_handle(inner), policies_->construct_quadric(inner, mesh, map, traits));
       }
     }
-    return sum + mirrored(plane, sum);
+    const MirrorPlane* const plane = bound_->plane(v, v);
+    return plane == nullptr ? sum : Quadric(sum + mirrored(*plane, sum));
   }
 
   const Policies* policies_;
   PlanePoints* bound_;
-  CollapseRules rules_;
   Watch* watch_;
 };
 
@@ -395,7 +403,7 @@ std::vector<Collapse> collapse_sequence(const FundamentalDomain& domain, const W
   std::vector<double> drift(loose.points.size(), 0.0);
   const StopAt stop{&collapses, rules.faces};
   Watch watch(context);
-  const WeightedCost cost(policies, bound, rules, watch);
+  const WeightedCost cost(policies, bound, watch);
   const GuardedPlacement guard(policies, bound, wall_faces, rules, drift, watch);
   const Recorder recorder(collapses, bound, wall_faces, drift, all, context);
   namespace parameters = CGAL::parameters;

@@ -16,9 +16,7 @@ namespace ridgecraft::prepare {
 
 /// What guides and limits the collapses besides the quadric error.
 struct CollapseRules {
-  /// The error is multiplied by (length / short_edge)^power: with a power above 0 short edges go first.
-  double short_edge = 1.0;
-  double power = 0.0;
+  double short_edge = 1.0;  ///< folds below are short; the scale of steps at walls
   /// Where given, the surface may not leave this field around the original one, nor move farther from any
   /// part of the original than largest_deviation.
   mesh::NearField* field = nullptr;
@@ -27,12 +25,12 @@ struct CollapseRules {
 };
 
 /// Collapses by least quadric error (Garland, Heckbert: Surface simplification using quadric error
-/// metrics, 1997; CGAL's implementation) down to the number of faces of the rules, or until no collapse is
-/// left that keeps the surface manifold without flipping or folding faces. Borders and sharp edges stay by
-/// the planes they add. Of a domain of a symmetric whole the errors are those of the whole, and no edge or
-/// face comes to lie between points of a plane but its border. Vertices of walls stay in their planes, and no
-/// wall vanishes. Faces are counted in the whole. The domain's faces must fulfil mesh::Surface's invariants.
-/// O(n log n).
+/// metrics, 1997; CGAL's implementation, with planes weighted by area) down to the number of faces of the
+/// rules, or until no collapse is left that keeps the surface manifold without flipping or folding faces.
+/// Borders and sharp edges stay by the planes they add. Of a domain of a symmetric whole the errors are those
+/// of the whole, and no edge or face comes to lie between points of a plane but its border. Vertices of walls
+/// stay in their planes, and no wall vanishes. Faces are counted in the whole. The domain's faces must fulfil
+/// mesh::Surface's invariants. O(n log n).
 [[nodiscard]] std::vector<Collapse> collapse_sequence(const FundamentalDomain& domain, const Walls& walls,
                                                       const CollapseRules& rules, const Context& context);
 

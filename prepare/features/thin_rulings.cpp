@@ -18,6 +18,7 @@
 #include "prepare/panels/regions.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/panels/ruled_strips.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
@@ -447,16 +448,16 @@ constexpr std::size_t too_many_to_thin = 100000;
 /// One round: strips that have nothing to do with each other, those with the narrowest faces first.
 class Round {
  public:
-  Round(const mesh::Model& model, const RulingRules& rules, const std::vector<bool>& too_fine)
+  Round(const mesh::Model& model, const RulingRules& rules)
       : surface_(model.surface),
         loose_(mesh::take_apart(model)),
         regions_(surface_, find_panels(surface_), loose_) {
+    const std::vector<Box3> box = mesh::component_bounds(surface_);
     for (RuledStrip& strip : ruled_strips(surface_, regions_, loose_)) {
       const FaceId face(regions_.faces(strip.regions.front().front()).front());
-      if (!too_fine[surface_.component(face).value()]) {
-        continue;
-      }
-      ChosenRulings chosen = choose_rulings(surface_, strip, rules);
+      RulingRules own = rules;
+      own.largest_mm = std::min(rules.largest_mm, move_allowed(box[surface_.component(face).value()]));
+      ChosenRulings chosen = choose_rulings(surface_, strip, own);
       if (!chosen.gone.empty()) {
         wishes_.push_back({std::move(strip), std::move(chosen), {}, {}});
         look_up(wishes_.back());
@@ -584,7 +585,7 @@ std::size_t thin_rulings(mesh::Model& model, const SimplifyOptions& options, dou
   std::size_t all = 0;
   for (int round = 0; round < most_thinnings; ++round) {
     context.check();
-    const std::size_t lines = Round(model, rules, too_fine_components(model.surface, options)).run(model);
+    const std::size_t lines = Round(model, rules).run(model);
     if (lines == 0) {
       break;
     }

@@ -252,19 +252,14 @@ bool PlaneCuts::cap(const PlaneSide& side, const Line& line, std::size_t like, C
 constexpr double in_plane = 0.01;
 /// What goes makes room for what is found after it: a panel within a panel.
 constexpr int most_rounds = 4;
-/// Much to fold: so many faces at least, ...
-constexpr std::size_t over_detailed_faces = 16;
-/// ... and this share of their edges shorter than folds should be.
-constexpr double over_detailed_fraction = 0.5;
-
 class ReliefTrimmer {
  public:
-  ReliefTrimmer(const mesh::Model& model, const SimplifyOptions& options, const ReliefLimits& limits)
+  ReliefTrimmer(const mesh::Model& model, const SimplifyOptions& options, double height_mm)
       : surface_(model.surface),
-        walls_(find_walls(surface_, find_panels(surface_), options.short_edge_mm, Slats::are_none)),
+        walls_(find_walls(surface_, find_panels(surface_), options.short_edge_mm)),
         loops_(loops_within(surface_, walls_)),
         short_edge_(options.short_edge_mm),
-        limits_(limits),
+        height_mm_(height_mm),
         in_plane_(in_plane * options.short_edge_mm),
         loop_at_(surface_.corner_count(), no_index),
         cuts_(model, in_plane_) {}
@@ -301,8 +296,7 @@ class ReliefTrimmer {
   }
 
   [[nodiscard]] bool is_shallow(const Side& side, VertexId v) const {
-    return height(side, v) <= limits_.height_mm &&
-           distance(side.loop->box, surface_.point(v)) <= limits_.height_mm;
+    return height(side, v) <= height_mm_ && distance(side.loop->box, surface_.point(v)) <= height_mm_;
   }
 
   /// Whether a loop may be the end of a hole through a plate: no larger than a short edge, and so narrow that
@@ -311,7 +305,7 @@ class ReliefTrimmer {
     const Vec3 size = loop.box.size();
     std::array<double, 3> extents{size.x, size.y, size.z};
     std::sort(extents.begin(), extents.end());
-    return !loop.has_rims && extents[2] <= short_edge_ && extents[1] <= 2.0 * limits_.height_mm;
+    return !loop.has_rims && extents[2] <= short_edge_ && extents[1] <= 2.0 * height_mm_;
   }
 
   /// Whether a place is near a loop, and near its wall.
@@ -344,7 +338,7 @@ class ReliefTrimmer {
       const FaceId f = next.back();
       next.pop_back();
       if (cuts_.is_gone(f) || !std::ranges::all_of(surface_.vertices(f), [&](VertexId v) {
-            return distance(loops_[first].box, surface_.point(v)) <= 2.0 * limits_.height_mm;
+            return distance(loops_[first].box, surface_.point(v)) <= 2.0 * height_mm_;
           })) {
         return std::nullopt;
       }
@@ -375,8 +369,7 @@ class ReliefTrimmer {
       });
     });
     PlaneCut cut;
-    if (!near || !goes(side_of(loops_[first], 1.0), found->faces) ||
-        !std::ranges::all_of(found->ends, [&](std::uint32_t l) {
+    if (!near || !std::ranges::all_of(found->ends, [&](std::uint32_t l) {
           return close_loop(surface_, walls_, loops_[l], cut.caps);
         })) {
       return false;
@@ -404,7 +397,7 @@ class ReliefTrimmer {
   bool cut_off(const Side& side, FaceId start, std::set<std::uint32_t>& tried) {
     const std::vector<FaceId> faces = cuts_.in_front(
         side.plane, start, [&](VertexId v) { return is_shallow(side, v); }, tried);
-    if (faces.empty() || !goes(side, {faces.begin(), faces.end()})) {
+    if (faces.empty()) {
       return false;
     }
     const std::optional<PlaneCut> cut =
@@ -415,32 +408,11 @@ class ReliefTrimmer {
     return cut.has_value();
   }
 
-  /// Whether there is so much to fold as it takes.
-  [[nodiscard]] bool goes(const Side& side, const std::set<FaceId>& faces) const {
-    if (!limits_.over_detailed_only) {
-      return true;
-    }
-    std::size_t edges = 0;
-    std::size_t brief = 0;
-    for (const FaceId f : faces) {
-      for (unsigned k = 0; k < 3; ++k) {
-        const CornerId c = mesh::corner(f, k);
-        if (std::abs(height(side, surface_.vertex(c))) > in_plane_ ||
-            std::abs(height(side, surface_.vertex(mesh::next(c)))) > in_plane_) {
-          ++edges;
-          brief += surface_.length(surface_.edge(c)) < short_edge_ ? 1U : 0U;
-        }
-      }
-    }
-    return faces.size() >= over_detailed_faces &&
-           static_cast<double>(brief) >= over_detailed_fraction * static_cast<double>(edges);
-  }
-
   const mesh::Surface& surface_;
   Walls walls_;
   std::vector<WallLoop> loops_;
   double short_edge_;
-  ReliefLimits limits_;
+  double height_mm_;
   double in_plane_;
   std::vector<std::uint32_t> loop_at_;  ///< of each side of a wall: the loop that it is part of
   PlaneCuts cuts_;
@@ -448,11 +420,11 @@ class ReliefTrimmer {
 
 }  // namespace
 
-std::size_t trim_reliefs(mesh::Model& model, const SimplifyOptions& options, const ReliefLimits& limits,
+std::size_t trim_reliefs(mesh::Model& model, const SimplifyOptions& options, double height_mm,
                          const Context& context) {
   std::size_t all = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    const std::size_t count = ReliefTrimmer(model, options, limits).run(model);
+    const std::size_t count = ReliefTrimmer(model, options, height_mm).run(model);
     if (count == 0) {
       break;
     }

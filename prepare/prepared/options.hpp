@@ -2,10 +2,12 @@
 // How a model is made ready for paper: values that users choose.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
 #include "base/geometry.hpp"
+#include "prepare/prepared/effort.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -44,13 +46,15 @@ enum class Skins { outer, middle, both };
 struct SimplifyOptions {
   Simplification mode = Simplification::automatic;
   std::size_t faces = 0;  ///< for Simplification::count
-  /// automatic: a fold edge shorter than this is hard to fold
+  /// automatic: what is smaller is a detail, ...
   double short_edge_mm = 6.0;
-  /// (and shorter than this can't be folded by hand) ...
+  /// ... and what is lower than this can't be folded.
   double tiny_edge_mm = 3.0;
-  /// ... and the model is simplified when more than this share of its fold edges are.
-  double short_edge_fraction = 0.1;
-  /// automatic: nobody builds a model of more triangles.
+  /// automatic: the model is simplified until it keeps this.
+  Budget budget;
+  /// automatic: a model that is no more work than this, and whose edges keep the budget, stays as it is.
+  double most_own_hours = 10.0;
+  /// automatic: nobody builds a model of more triangles, however flat its folds are.
   std::size_t most_faces = 1000;
   /// automatic: the surface may move by this share of the model's largest extent.
   double largest_deviation = 0.02;
@@ -62,6 +66,15 @@ struct SimplifyOptions {
   /// Folds of less are drawn as no line, so they don't count; radians.
   double hidden_fold_angle = prepare::hidden_fold_angle;
 };
+
+/// What a model keeps that stays as it is: who asks for less than an evening gets it.
+[[nodiscard]] inline Budget own_budget(const SimplifyOptions& simplify) {
+  Budget budget = simplify.budget;
+  if (budget.hours >= Budget{}.hours) {
+    budget.hours = std::max(budget.hours, simplify.most_own_hours);
+  }
+  return budget;
+}
 
 /// What a flat region should fit, mm.
 struct PanelRoom {

@@ -2,6 +2,7 @@
 #include "prepare/prepared/prepared.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace ridgecraft::prepare {
 namespace {
@@ -54,6 +55,14 @@ SeenMove seen_move(double moved_mm, const Box3& bounds) {
   return thickness >= least_mm && moved_mm >= std::max(least_mm, seen_share_of_thickness * thickness)
              ? SeenMove::of_thickness
              : SeenMove::none;
+}
+
+double move_allowed(const Box3& bounds) {
+  constexpr double share = 0.1;
+  const Vec3 size = bounds.size();
+  std::array<double, 3> extents{size.x, size.y, size.z};
+  std::sort(extents.begin(), extents.end());
+  return share * extents[1];
 }
 
 }  // namespace ridgecraft::prepare

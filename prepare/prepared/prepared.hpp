@@ -13,6 +13,7 @@
 #include "mesh/look/look.hpp"
 #include "mesh/model/model.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/panels.hpp"
 
 namespace ridgecraft::prepare {
@@ -63,22 +64,14 @@ struct SimplifyReport {
   /// Its sides were mirror images only nearly, off by so much, and are so exactly now; 0 where they were, or
   /// where the model isn't symmetric.
   double asymmetry_mm = 0.0;
-  double short_edges_before = 0.0;  ///< share of the fold edges below short_edge_mm, but not across a plate
-  double short_edges_after = 0.0;
-  double tiny_edges_after = 0.0;  ///< share of those that can't be folded by hand: below tiny_edge_mm
-  /// Share of the length of all edges between panels that edges below short_edge_mm have: there a tab holds
-  /// badly and a number finds no room, whatever made them short.
-  double cramped_fraction = 0.0;
-  bool at_its_size = false;     ///< some faces went at the model's size, not just before bodies were united
-  bool still_too_fine = false;  ///< nobody could fold it: tiny_edges_after is above short_edge_fraction
+  bool at_its_size = false;  ///< some faces went at the model's size, not just before bodies were united
 };
 
 /// Why a model isn't of the size that it has by default.
 enum class SizeReason {
   none,   ///< it is
-  folds,  ///< its folds would be too short, or its faces too narrow
+  folds,  ///< too many folds would be too short, or faces too narrow
   shape,  ///< simplification would move its surface so far that it is seen
-  room,   ///< tabs and numbers would have too little room
   pages,  ///< it would take too many pages
 };
 
@@ -104,10 +97,12 @@ struct Prepared {
   /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
   /// there is none that makes sense.
   std::optional<double> smallest_size_mm;
+  Work work;                     ///< that is to be expected of it
   double sliver_fraction = 0.0;  ///< of the faces, narrower than sliver_mm
   SimplifyReport simplified;
   /// Components that were a part of others and are glued onto flat faces of these, open at their bases.
   std::size_t attached = 0;
+  std::size_t loose = 0;           ///< components that were left out, as simplification took what held them
   std::size_t divided_panels = 0;  ///< flat regions that are in cells
 };
 
@@ -116,12 +111,14 @@ struct Details {
   std::size_t small = 0;  ///< too small or too narrow to be folded and held
   std::size_t flat = 0;   ///< flat, and lying on another one
   std::size_t low = 0;    ///< bodies that hardly stand out of another one
+  std::size_t loose = 0;  ///< what held them was left out
 
-  [[nodiscard]] std::size_t count() const { return small + flat + low; }
+  [[nodiscard]] std::size_t count() const { return small + flat + low + loose; }
   Details& operator+=(const Details& other) {
     small += other.small;
     flat += other.flat;
     low += other.low;
+    loose += other.loose;
     return *this;
   }
 };
@@ -164,6 +161,9 @@ enum class SeenMove {
 /// `moved_mm`: how far a surface with these bounds (mm) moved at most. Of what is flat, only outlines have
 /// moved: it has no thickness.
 [[nodiscard]] SeenMove seen_move(double moved_mm, const Box3& bounds);
+/// How far simplification may move the surface of a body with these bounds, so that it doesn't become another
+/// thing: a tenth of its middle extent.
+[[nodiscard]] double move_allowed(const Box3& bounds);
 
 /// A hundred metres of paper model; beyond that a slip of the unit is certain, and the model is refused when
 /// it is brought to its size.

@@ -178,9 +178,10 @@ bool same_letter(char a, char b) {
 }
 
 bool matches(std::string_view name, std::string_view asked) {
-  const bool open = asked.ends_with('*');
-  if (open) {
+  if (asked.ends_with('*')) {
     asked.remove_suffix(1);
+    name = name.substr(0, asked.size());
+  } else if (name.size() > asked.size() && name[asked.size()] == '/') {
     name = name.substr(0, asked.size());
   }
   return std::equal(name.begin(), name.end(), asked.begin(), asked.end(), same_letter);

@@ -12,7 +12,7 @@
 namespace ridgecraft::prepare {
 
 /// Names of objects (of groups, where the file names no objects) and of materials. Capitals don't matter; a *
-/// at the end stands for any letters: "wheel*".
+/// at the end stands for any letters: "wheel*". "plate1" stands for all that is in it: "plate1/wheel".
 struct Selection {
   std::vector<std::string> only;     ///< where there are any, nothing else is taken
   std::vector<std::string> without;  ///< is left out of what is taken

@@ -2,10 +2,10 @@
 #include "prepare/simplify/body.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "mesh/model/surface_distance.hpp"
@@ -13,6 +13,9 @@
 #include "prepare/collapses/quick_collapses.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/panels/remesh_panels.hpp"
+#include "prepare/prepared/effort.hpp"
+#include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
@@ -80,69 +83,64 @@ std::size_t Sequence::count_for(std::size_t faces) const {
 
 namespace {
 
-/// How strongly short edges are preferred; which is best depends on the model, so each is tried.
-constexpr std::array<double, 2> powers{2.0, 6.0};
 /// Collapses keep to this fraction of the deviation allowed, since they measure it at few points.
 constexpr double bound = 0.9;
-/// Bodies of more faces than this are made coarser than they must be, where the surface hardly moves by it
-/// ...
-constexpr std::size_t many_faces = 400;
-/// ... and so are smooth ones of more than this: no wall of theirs becomes crooked by it ...
-constexpr std::size_t many_smooth_faces = 120;
-/// ... as a fraction of what it may move, until their edges aren't crowded.
-constexpr double hardly = 0.5;
-/// A body that can't be made foldable is left as it is unless its fraction of short folds sinks by this much,
-/// ...
+/// A body that can't become what the rules ask for is left as it is unless its share of short edges sinks by
+/// this much, ...
 constexpr double least_gain = 0.05;
-/// ... or this fraction of the folds that are no use to anybody vanishes.
-constexpr double least_gone = 0.2;
+/// ... or its work by this share.
+constexpr double least_saved = 0.1;
+
+/// The work that a body with its copies is.
+class Judge {
+ public:
+  Judge(const BodyRules& rules, std::size_t copies)
+      : rules_(rules), bodies_(static_cast<double>(1 + copies)) {}
+
+  [[nodiscard]] Work work(const mesh::Surface& surface) const {
+    return expected_work(surface, find_panels(surface), rules_.options.hidden_fold_angle);
+  }
+  [[nodiscard]] double minutes(const Work& work) const { return bodies_ * minutes_of(work); }
+  [[nodiscard]] bool allows(const Work& work, std::size_t faces) const {
+    return faces <= rules_.most_faces && work.short_share() <= rules_.options.budget.short_share &&
+           work.weak_share() <= rules_.options.budget.weak_share && minutes(work) <= rules_.most_minutes;
+  }
+
+ private:
+  const BodyRules& rules_;
+  double bodies_;
+};
 
 /// A place in a sequence, and what the body is like there.
 struct Candidate {
   FundamentalDomain domain;
-  FoldFigures folds;
-  bool foldable = false;
-  bool crowded = false;
-  std::size_t faces = 0;
+  Work work;
+  bool allowed = false;
 };
 
-/// Looks in a sequence for the largest number of faces that can be folded.
+/// Looks in a sequence for the largest number of faces that the rules allow.
 class Search {
  public:
-  /// `many`: faces above which crowded ones get fewer.
   Search(const Sequence& sequence, const mesh::SurfaceTree& original, const BodyRules& rules,
-         std::size_t many, const Context& context)
-      : sequence_(sequence), original_(original), rules_(rules), many_(many), context_(context) {}
+         const Judge& judge, const Context& context)
+      : sequence_(sequence), original_(original), rules_(rules), judge_(judge), context_(context) {}
 
   [[nodiscard]] Candidate best() const {
-    std::size_t count = 0;
-    Candidate candidate;
-    if (const auto found = fewest_foldable()) {
-      count = *found;
-      candidate.foldable = true;
-    } else {
-      count = std::max(least_fraction(), sequence_.count_for(rules_.most_faces));
-    }
+    std::size_t count = fewest_allowed().value_or(sequence_.all());
     if (deviation(count) > rules_.largest_mm) {
       count = most_within(count);
-      candidate.foldable = false;
     }
-    count = uncrowded(count);
+    Candidate candidate;
     candidate.domain = sequence_.domain(count);
-    candidate.folds = folds(count);
-    candidate.crowded = sequence_.faces_after(count) > many_ && candidate.folds.crowded();
-    candidate.faces = sequence_.faces_after(count);
+    candidate.work = work(count);
+    candidate.allowed = judge_.allows(candidate.work, sequence_.faces_after(count));
     return candidate;
   }
 
  private:
-  [[nodiscard]] FoldFigures folds(std::size_t count) const {
-    return fold_figures(sequence_.after(count).surface, rules_.options);
-  }
-  [[nodiscard]] double brief(std::size_t count) const { return folds(count).short_fraction(); }
-  [[nodiscard]] bool foldable(std::size_t count) const {
-    return sequence_.faces_after(count) <= rules_.most_faces &&
-           brief(count) <= rules_.options.short_edge_fraction;
+  [[nodiscard]] Work work(std::size_t count) const { return judge_.work(sequence_.after(count).surface); }
+  [[nodiscard]] bool allowed(std::size_t count) const {
+    return judge_.allows(work(count), sequence_.faces_after(count));
   }
   [[nodiscard]] double deviation(std::size_t count) const {
     const mesh::Model model = sequence_.after(count);
@@ -150,12 +148,12 @@ class Search {
                              rules_.largest_mm, context_);
   }
 
-  /// Fewest collapses after which the model is foldable, as bisection finds it (the fraction needn't be
-  /// monotonous); none where none of the numbers tried helps.
-  [[nodiscard]] std::optional<std::size_t> fewest_foldable() const {
+  /// Fewest collapses after which the rules allow the body, as bisection finds it (the share of short edges
+  /// needn't be monotonous); none where none of the numbers tried helps.
+  [[nodiscard]] std::optional<std::size_t> fewest_allowed() const {
     std::size_t too_few = 0;
     std::size_t enough = std::max<std::size_t>(1, sequence_.count_for(sequence_.faces_after(0) * 5 / 6));
-    while (!foldable(enough)) {
+    while (!allowed(enough)) {
       if (enough == sequence_.all()) {
         return std::nullopt;
       }
@@ -164,40 +162,9 @@ class Search {
     }
     while (enough - too_few > 1 + sequence_.faces_after(enough) / 400) {
       const std::size_t middle = too_few + (enough - too_few) / 2;
-      (foldable(middle) ? enough : too_few) = middle;
+      (allowed(middle) ? enough : too_few) = middle;
     }
     return enough;
-  }
-
-  /// Where nothing is foldable: the smallest fraction of short folds that a few numbers of faces give.
-  [[nodiscard]] std::size_t least_fraction() const {
-    std::size_t best = 0;
-    double least = brief(0);
-    for (std::size_t count = 1; count < sequence_.all();) {
-      count = std::max(count + 1, sequence_.count_for(sequence_.faces_after(count) * 5 / 6));
-      const double now = brief(count);
-      // A hair less is not worth losing a sixth of the faces for.
-      if (now < least - 0.01) {
-        least = now;
-        best = count;
-      }
-    }
-    return best;
-  }
-
-  /// More collapses of a body that has many faces, as long as these are crowded and the surface hardly moves.
-  [[nodiscard]] std::size_t uncrowded(std::size_t count) const {
-    while (sequence_.faces_after(count) > many_ && folds(count).crowded()) {
-      const std::size_t next =
-          std::max(count + 1, sequence_.count_for(std::max(many_, sequence_.faces_after(count) * 9 / 10)));
-      if (next > sequence_.all() ||
-          brief(next) > std::max(brief(count), rules_.options.short_edge_fraction) ||
-          deviation(next) > hardly * rules_.largest_mm) {
-        break;
-      }
-      count = next;
-    }
-    return count;
   }
 
   /// Most collapses that keep the surface within the deviation; 0 where the first ones don't.
@@ -217,28 +184,9 @@ class Search {
   const Sequence& sequence_;
   const mesh::SurfaceTree& original_;
   const BodyRules& rules_;
-  std::size_t many_;
+  const Judge& judge_;
   const Context& context_;
 };
-
-bool better(const Candidate& a, const Candidate& b) {
-  if (a.foldable != b.foldable) {
-    return a.foldable;
-  }
-  if (a.crowded != b.crowded) {
-    return b.crowded;
-  }
-  return a.foldable ? a.faces > b.faces : a.folds.short_fraction() < b.folds.short_fraction();
-}
-
-/// Whether the body is worth what it lost.
-bool pays(const Candidate& candidate, const FoldFigures& before, std::size_t faces_before,
-          std::size_t most_faces) {
-  const double tiny = static_cast<double>(before.tiny);
-  return candidate.foldable || before.short_fraction() - candidate.folds.short_fraction() >= least_gain ||
-         (before.tiny > 0 && static_cast<double>(candidate.folds.tiny) <= (1.0 - least_gone) * tiny) ||
-         (faces_before > most_faces && candidate.faces < faces_before);
-}
 
 /// Far from the aim the surface hardly moves: there the plain error is good and fast.
 FundamentalDomain coarse_start(const FundamentalDomain& body, const mesh::Surface& before,
@@ -262,57 +210,40 @@ FundamentalDomain coarse_start(const FundamentalDomain& body, const mesh::Surfac
   return distance <= rules.largest_mm ? first.domain(first.all()) : body;
 }
 
-/// Faces above which crowded ones get fewer.
-std::size_t many_faces_of(const FundamentalDomain& body, const Walls& of_model) {
-  const Walls walls = walls_of(of_model, body);
-  const bool smooth = std::all_of(walls.of_face.begin(), walls.of_face.end(),
-                                  [](std::uint32_t wall) { return wall == Walls::none; });
-  return smooth ? many_smooth_faces : many_faces;
-}
-
-/// What a sequence without any collapses leaves.
-Candidate unchanged(const FundamentalDomain& start, const Sequence& sequence, const BodyRules& rules) {
-  Candidate candidate;
-  candidate.domain = start;
-  candidate.faces = start.face_count();
-  candidate.folds = fold_figures(sequence.after(0).surface, rules.options);
-  candidate.foldable = candidate.folds.short_fraction() <= rules.options.short_edge_fraction &&
-                       candidate.faces <= rules.most_faces;
-  return candidate;
-}
-
 }  // namespace
 
-std::optional<FundamentalDomain> simplified_body(const FundamentalDomain& body, const BodyRules& rules,
-                                                 const Context& context) {
+SimplifiedBody simplified_body(const FundamentalDomain& body, const BodyRules& of_model,
+                               const Context& context) {
   const std::size_t faces_before = body.face_count();
   // The whole was remeshed before; what a cut at a mirror plane adds to so many faces doesn't count.
-  const mesh::Model before =
-      faces_before > very_many_faces ? as_it_is(body, rules.model) : model_of(body, rules.model, context);
-  const FoldFigures folds_before = fold_figures(before.surface, rules.options);
-  if (folds_before.short_fraction() <= rules.options.short_edge_fraction &&
-      faces_before <= rules.most_faces) {
-    return std::nullopt;
+  const mesh::Model before = faces_before > very_many_faces ? as_it_is(body, of_model.model)
+                                                            : model_of(body, of_model.model, context);
+  BodyRules rules = of_model;
+  rules.largest_mm = std::min(rules.largest_mm, move_allowed(before.surface.bounds()));
+  const Judge judge(rules, body.copies.size());
+  const Work work_before = judge.work(before.surface);
+  SimplifiedBody result{body, false, judge.minutes(work_before)};
+  if (judge.allows(work_before, faces_before)) {
+    return result;
   }
   const mesh::SurfaceTree original(before.surface, rules.spacing_mm);
   const FundamentalDomain start = coarse_start(body, before.surface, original, rules, context);
-  const std::size_t many = many_faces_of(body, *rules.walls);
   mesh::NearField field(original, bound * rules.largest_mm);
-  std::optional<Candidate> best;
-  for (const double power : powers) {
-    const CollapseRules how{rules.options.short_edge_mm, power, &field, bound * rules.largest_mm,
-                            fewest_faces};
-    const Sequence sequence(start, rules.model, *rules.walls, how, context);
-    Candidate candidate = sequence.all() > 0 ? Search(sequence, original, rules, many, context).best()
-                                             : unchanged(start, sequence, rules);
-    if (!best || better(candidate, *best)) {
-      best = std::move(candidate);
-    }
+  const CollapseRules how{.short_edge = rules.options.short_edge_mm,
+                          .field = &field,
+                          .largest_deviation = bound * rules.largest_mm,
+                          .faces = fewest_faces};
+  const Sequence sequence(start, rules.model, *rules.walls, how, context);
+  if (sequence.all() == 0) {
+    return result;
   }
-  if (!pays(*best, folds_before, faces_before, rules.most_faces)) {
-    return std::nullopt;
+  Candidate best = Search(sequence, original, rules, judge, context).best();
+  const bool pays = best.allowed || work_before.short_share() - best.work.short_share() >= least_gain ||
+                    judge.minutes(best.work) <= (1.0 - least_saved) * result.minutes;
+  if (pays) {
+    result = {std::move(best.domain), true, judge.minutes(best.work)};
   }
-  return std::move(best->domain);
+  return result;
 }
 
 }  // namespace ridgecraft::prepare

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "base/context.hpp"
@@ -56,14 +55,22 @@ struct BodyRules {
   const Walls* walls;             ///< of the whole
   double spacing_mm = 0.0;        ///< of samples for the deviation
   double largest_mm = 0.0;        ///< how far the surface may move
-  std::size_t most_faces = 0;     ///< that the body and its copies may have together
+  /// Of the body and its copies together.
+  double most_minutes = 0.0;
+  std::size_t most_faces = 0;
   const SimplifyOptions& options;
 };
 
-/// The domain of one component, simplified as far as it must be and within what the rules allow; none where
-/// it stays as it is since it can be folded, or since simplification wouldn't help it enough. O(n log n).
-[[nodiscard]] std::optional<FundamentalDomain> simplified_body(const FundamentalDomain& body,
-                                                               const BodyRules& rules,
-                                                               const Context& context);
+/// A body and the work that it is, with its copies.
+struct SimplifiedBody {
+  FundamentalDomain domain;
+  bool changed = false;
+  double minutes = 0.0;
+};
+
+/// One component as fine as the rules allow: it stays as it is where it keeps them, or where simplification
+/// wouldn't help it enough. O(n log n).
+[[nodiscard]] SimplifiedBody simplified_body(const FundamentalDomain& body, const BodyRules& rules,
+                                             const Context& context);
 
 }  // namespace ridgecraft::prepare

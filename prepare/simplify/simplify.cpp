@@ -5,11 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/no_index.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/domains/domain.hpp"
@@ -17,6 +18,7 @@
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
+#include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/simplify/body.hpp"
 #include "prepare/walls/walls.hpp"
@@ -26,17 +28,15 @@ namespace {
 
 /// Samples by which it is measured how far a surface moved are this share of its largest extent apart.
 constexpr double sample_spacing = 0.015;
-/// Where a model has too many faces, bodies with so few keep theirs.
+/// Where a model is too much work, bodies with so few faces keep theirs.
 constexpr std::size_t few_faces = 24;
-/// What is tried there, one after the other: walls are what would be ones if the short edge were so many
-/// times longer; and the surface may move by so many times as much, as nobody builds what has more faces.
-struct Coarser {
-  double walls = 1.0;
-  double deviation = 1.0;
-  bool of_fine = false;  ///< tried with models of very many faces, too, which take long
-};
-constexpr std::array<Coarser, 5> coarser{
-    {{1.0, 1.0}, {1.6, 1.0, true}, {2.5, 1.0}, {1.6, 2.0, true}, {2.5, 2.0}}};
+/// What counts as a detail is so many times larger in each further attempt. The surface may move by the root
+/// of that times as much: nobody builds a model that is too much work.
+constexpr double detail_step = 1.5;
+constexpr double most_detail = 12.0;
+/// The step is taken twice at once where so much is left, and with models of more faces, whose attempts take
+/// long.
+constexpr double much_left = 1.0;
 constexpr std::size_t fine_faces = 10000;
 /// The same where a number of faces is asked for; 0: there are no walls.
 constexpr std::array<double, 4> fewer_walls{1.0, 2.0, 4.0, 0.0};
@@ -57,79 +57,55 @@ double visible_asymmetry(double asymmetry, const mesh::Model& model) {
   return asymmetry > equal_sides * model.surface.bounds().largest_extent() ? asymmetry : 0.0;
 }
 
-std::size_t face_count(const std::vector<FundamentalDomain>& bodies) {
-  return std::accumulate(
-      bodies.begin(), bodies.end(), std::size_t{0},
-      [](std::size_t sum, const FundamentalDomain& body) { return sum + body.face_count(); });
-}
-
 bool has_few_faces(const FundamentalDomain& body) {
   return body.face_count() <= few_faces * (1 + body.copies.size());
 }
 
-/// Each as it needs; and where they have too many faces together, those that have many get fewer, only larger
-/// walls stay, and in the end the surface may move farther. Returns whether anything changed.
-bool simplify_bodies(const mesh::Model& model, std::vector<FundamentalDomain>& bodies, BodyRules rules,
-                     const Context& context) {
-  const SimplifyOptions& options = rules.options;
+/// Each as it needs; and where they are too much work together, those that have many faces get fewer. Returns
+/// whether anything changed.
+bool simplify_bodies(std::vector<FundamentalDomain>& bodies, BodyRules rules, const Context& context) {
+  const double most_minutes = rules.most_minutes;
+  const std::size_t most_faces = rules.most_faces;
   const std::vector<FundamentalDomain> before = bodies;
-  bool changed = false;
-  const auto simplify = [&](std::size_t i, std::size_t most_faces) {
-    rules.most_faces = most_faces;
-    if (auto simplified = simplified_body(before[i], rules, context)) {
-      bodies[i] = std::move(*simplified);
-      changed = true;
-    }
-  };
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    simplify(i, options.most_faces);
+  std::vector<SimplifiedBody> now;
+  double all = 0.0;  // minutes
+  double of_few = 0.0;
+  std::size_t faces = 0;
+  std::size_t faces_of_few = 0;
+  for (const FundamentalDomain& body : before) {
+    now.push_back(simplified_body(body, rules, context));
+    const FundamentalDomain& domain = now.back().domain;
+    all += now.back().minutes;
+    faces += domain.face_count();
+    of_few += has_few_faces(domain) ? now.back().minutes : 0.0;
+    faces_of_few += has_few_faces(domain) ? domain.face_count() : 0;
   }
-  const mesh::Surface& surface = model.surface;
-  const double largest_mm = rules.largest_mm;
-  for (const Coarser& attempt : coarser) {
-    const std::size_t all = face_count(bodies);
-    if (all <= options.most_faces) {
-      break;
-    }
-    if (surface.face_count() > fine_faces && !attempt.of_fine) {
-      continue;
-    }
-    const Walls walls =
-        find_walls(surface, find_panels(surface), attempt.walls * options.short_edge_mm, Slats::are_walls);
-    rules.walls = &walls;
-    rules.largest_mm = attempt.deviation * largest_mm;
+  if (before.size() > 1 && (all > most_minutes || faces > most_faces)) {
     // What those with few faces keep is lacking to the others.
-    const std::size_t keep = std::accumulate(bodies.begin(), bodies.end(), std::size_t{0},
-                                             [](std::size_t sum, const FundamentalDomain& body) {
-                                               return sum + (has_few_faces(body) ? body.face_count() : 0);
-                                             });
-    const std::size_t aim = options.most_faces * 19 / 20;  // bodies count their faces only nearly
-    const std::size_t left = aim > keep ? aim - keep : 0;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (!has_few_faces(bodies[i])) {
-        simplify(i, bodies[i].face_count() * left / (all - keep));
+    const double of_minutes = std::max(0.0, most_minutes - of_few) / std::max(all - of_few, 1e-9);
+    const double of_faces = static_cast<double>(most_faces - std::min(most_faces, faces_of_few)) /
+                            static_cast<double>(std::max<std::size_t>(faces - faces_of_few, 1));
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (!has_few_faces(now[i].domain)) {
+        rules.most_minutes = std::min(1.0, of_minutes) * now[i].minutes;
+        rules.most_faces = static_cast<std::size_t>(std::min(1.0, of_faces) *
+                                                    static_cast<double>(now[i].domain.face_count()));
+        now[i] = simplified_body(before[i], rules, context);
       }
     }
   }
-  return changed;
-}
-
-/// What is too shallow to be folded; and where there are too many faces, what is over-detailed and no higher
-/// than a fold should be long. Returns how many went.
-std::size_t flatten_reliefs(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
-                            const Context& context) {
-  std::size_t removed = trim_reliefs(model, options, {std::min(largest_mm, options.tiny_edge_mm)}, context);
-  if (model.surface.face_count() > options.most_faces) {
-    const double height_mm = std::min(coarser.back().deviation * largest_mm, options.short_edge_mm);
-    removed += trim_reliefs(model, options, {height_mm, true}, context);
+  bool changed = false;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    changed = changed || now[i].changed;
+    bodies[i] = std::move(now[i].domain);
   }
-  return removed;
+  return changed;
 }
 
 /// What is done to whole bodies and walls before edges collapse. Returns whether anything changed.
 bool remove_details(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                     SimplifyReport& report, const Context& context) {
-  report.features_removed = flatten_reliefs(model, options, largest_mm, context);
+  report.features_removed = trim_reliefs(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
   report.rulings_removed = thin_rulings(model, options, largest_mm, context);
   return report.features_removed + report.rulings_removed > 0;
 }
@@ -148,25 +124,93 @@ void take_over(mesh::Model& model, mesh::LooseFaces&& faces, const mesh::Surface
   model.texture = {};
 }
 
-void simplify_to_fold(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
-                      const Context& context) {
+/// What a model may be at most.
+struct Most {
+  double minutes = std::numeric_limits<double>::infinity();
+  std::size_t faces = no_index;
+};
+
+/// Faces that a person builds in an hour.
+constexpr double faces_per_hour = 70.0;
+
+/// The short edge of which walls are multiples: no wall is smaller than the faces that the hours allow.
+double wall_edge(const mesh::Surface& surface, const SimplifyOptions& options) {
+  const double face_mm2 = mesh::total_area(surface) / (faces_per_hour * options.budget.hours);
+  return std::max(options.short_edge_mm, std::sqrt(0.25 * face_mm2));
+}
+
+/// One attempt: what the options call details goes, and then edges until the model is no more than that.
+void simplify_once(mesh::Model& model, const SimplifyOptions& options, const Most& most,
+                   SimplifyReport& report, const Context& context) {
   const mesh::Surface before = model.surface;
   const double extent = before.bounds().largest_extent();
   const double largest_mm = options.largest_deviation * extent;
   const bool changed = remove_details(model, options, largest_mm, report, context);
   const mesh::LooseFaces all = mesh::take_apart(model);
   const Walls walls =
-      find_walls(model.surface, find_panels(model.surface), options.short_edge_mm, Slats::are_walls);
+      find_walls(model.surface, find_panels(model.surface), wall_edge(model.surface, options));
   FundamentalDomain start = fundamental_domain(model, symmetric_within, context);
   const double asymmetry_mm = visible_asymmetry(start.deviation, model);
-  const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, 0, options};
+  const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, most.minutes, most.faces, options};
   std::vector<FundamentalDomain> bodies = divided(start);
   start = {};  // large
-  const bool collapsed = simplify_bodies(model, bodies, rules, context);
+  const bool collapsed = simplify_bodies(bodies, rules, context);
   if (changed || collapsed) {
     report.asymmetry_mm = asymmetry_mm;
     take_over(model, expand(joined(bodies), all), before, report, context);
   }
+}
+
+Work work_of(const mesh::Model& model, const SimplifyOptions& options) {
+  return expected_work(model.surface, find_panels(model.surface), options.hidden_fold_angle);
+}
+
+/// The finest model that is not too much, as `too_much` tells by 0, or else the one that is so least, what
+/// its surface moved counted in: what counts as a detail grows until then. The model stays where none is
+/// less.
+template <class TooMuch>
+void simplify_by_details(mesh::Model& model, const SimplifyOptions& options, const Most& most,
+                         SimplifyReport& report, const TooMuch& too_much, const Context& context) {
+  const mesh::Model before = model;
+  const SimplifyReport so_far = report;
+  const double extent = before.surface.bounds().largest_extent();
+  const bool fine = before.surface.face_count() > fine_faces;
+  const double at_first = too_much(before);
+  double least = std::numeric_limits<double>::infinity();
+  double left = at_first;
+  for (double scale = 1.0; scale < most_detail && left > 0.0;
+       scale *= fine || left > much_left ? detail_step * detail_step : detail_step) {
+    SimplifyOptions coarser = options;
+    coarser.short_edge_mm *= scale;
+    coarser.tiny_edge_mm *= scale;
+    coarser.largest_deviation *= std::sqrt(scale);
+    mesh::Model attempt = before;
+    SimplifyReport of_attempt = so_far;
+    simplify_once(attempt, coarser, most, of_attempt, context);
+    left = too_much(attempt);
+    const double now = left + change_excess(of_attempt.deviation_mm, extent, options);
+    if (left < at_first && now < least) {
+      least = now;
+      model = std::move(attempt);
+      report = of_attempt;
+    }
+  }
+}
+
+void simplify_to_budget(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
+                        const Context& context) {
+  // Bodies count their work only nearly.
+  constexpr double nearly = 1.05;
+  Budget budget = options.budget;
+  budget.hours *= nearly;
+  simplify_by_details(
+      model, options, {60.0 * options.budget.hours, options.most_faces}, report,
+      [&](const mesh::Model& attempt) {
+        const auto faces = static_cast<double>(attempt.surface.face_count());
+        return excess(work_of(attempt, options), budget) +
+               std::max(0.0, faces / (nearly * static_cast<double>(options.most_faces)) - 1.0);
+      },
+      context);
 }
 
 void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, SimplifyReport& report,
@@ -180,8 +224,7 @@ void collapse_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   // The number counts more than walls.
   for (const double factor : fewer_walls) {
     const Walls walls =
-        factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm, Slats::are_walls)
-                     : Walls{};
+        factor > 0.0 ? find_walls(model.surface, panels, factor * options.short_edge_mm) : Walls{};
     const Sequence sequence(domain, all, walls, {.short_edge = options.short_edge_mm, .faces = options.faces},
                             context);
     simplified = sequence.domain(sequence.all());
@@ -201,12 +244,16 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
   if (model.surface.face_count() <= options.faces) {
     return;
   }
-  SimplifyOptions automatic = options;
-  automatic.mode = Simplification::automatic;
-  automatic.most_faces = options.faces;
   mesh::Model other = kept;
   SimplifyReport of_other = report;
-  simplify_to_fold(other, automatic, of_other, context);
+  simplify_by_details(
+      other, options, {.faces = options.faces}, of_other,
+      [&](const mesh::Model& attempt) {
+        return attempt.surface.face_count() > options.faces
+                   ? static_cast<double>(attempt.surface.face_count())
+                   : 0.0;
+      },
+      context);
   if (other.surface.face_count() > options.faces) {
     collapse_to_count(other, options, of_other, context);
     of_other.deviation_mm = deviation_between(other.surface, kept.surface, context);
@@ -219,20 +266,29 @@ void simplify_to_count(mesh::Model& model, const SimplifyOptions& options, Simpl
 
 }  // namespace
 
+double change_excess(double moved_mm, double extent_mm, const SimplifyOptions& options) {
+  // A surface that moved as far as it may is as bad as a quarter as much work again, one that moved twice as
+  // far as twice the work.
+  constexpr double weight = 0.25;
+  const double share = moved_mm / (options.largest_deviation * extent_mm);
+  return weight * share * share;
+}
+
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
   remesh_panels(model, context);
-  report.short_edges_before = fold_figures(model.surface, options).short_fraction();
-  if (options.mode == Simplification::automatic && (report.short_edges_before > options.short_edge_fraction ||
-                                                    model.surface.face_count() > options.most_faces)) {
-    simplify_to_fold(model, options, report, context);
+  if (options.mode == Simplification::automatic &&
+      (model.surface.face_count() > options.most_faces ||
+       excess(work_of(model, options), own_budget(options)) > 0.0)) {
+    SimplifyOptions surely = options;
+    surely.budget = aimed_at(options.budget);
+    simplify_to_budget(model, surely, report, context);
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
   }
   report.faces_after = model.surface.face_count();
-  report.short_edges_after = fold_figures(model.surface, options).short_fraction();
   return report;
 }
 

@@ -9,6 +9,9 @@
 
 namespace ridgecraft::prepare {
 
+/// What a surface that moved by so much exceeds a budget by.
+[[nodiscard]] double change_excess(double moved_mm, double extent_mm, const SimplifyOptions& options);
+
 /// Remeshes the panels of a model in millimetres and simplifies it as the options ask; the result is
 /// remeshed, too. O(n log n).
 [[nodiscard]] SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/context.hpp"
+#include "base/id.hpp"
 #include "prepare/skin/facets.hpp"
 
 namespace ridgecraft::prepare {

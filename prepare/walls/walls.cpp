@@ -15,49 +15,11 @@
 #include "mesh/model/surface.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/panels/regions.hpp"
-#include "prepare/panels/ruled_strips.hpp"
 #include "prepare/prepared/panels.hpp"
 #include "prepare/symmetry/twins.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
-
-// Flat faces side by side along something that is bent one way.
-
-/// Slats are this share of a short edge wide at least.
-constexpr double slat_width = 0.5;
-constexpr double slat_edge = 75.0 * std::numbers::pi / 180.0;
-
-/// Of each panel: whether it is a slat, a face of a ruled strip (prepare/panels/ruled_strips.hpp) that is as
-/// long as a fold can be short and not much narrower. Collapses edge by edge would set slats askew, so they
-/// are walls. Faces between edges of 75 degrees and more are none: steps and grooves aren't bent. O(n).
-std::vector<bool> find_slats(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
-  std::vector<bool> slats(panels.count(), false);
-  const PanelRegions regions(surface, panels, {});
-  for (const RuledStrip& strip : ruled_strips(surface, regions, {})) {
-    const auto at = [&](std::size_t line, std::size_t point) {
-      const auto& points = strip.lines[line % strip.lines.size()].points;
-      return surface.point(VertexId(points[point % points.size()]));
-    };
-    for (std::size_t i = 0; i < strip.regions.size(); ++i) {
-      // Steps and grooves aren't bent, they have edges.
-      if (std::min(strip.lines[i].fold, strip.lines[(i + 1) % strip.lines.size()].fold) >= slat_edge) {
-        continue;
-      }
-      for (std::size_t t = 0; t < strip.regions[i].size(); ++t) {
-        const double long_side =
-            std::max(length(at(i, t + 1) - at(i, t)), length(at(i + 1, t + 1) - at(i + 1, t)));
-        const double wide_side =
-            std::max(length(at(i + 1, t) - at(i, t)), length(at(i + 1, t + 1) - at(i, t + 1)));
-        const FaceId face(regions.faces(strip.regions[i][t]).front());
-        if (long_side >= short_edge_mm && wide_side >= slat_width * short_edge_mm) {
-          slats[panels.panel[face].value()] = true;
-        }
-      }
-    }
-  }
-  return slats;
-}
 
 constexpr double degrees = std::numbers::pi / 180.0;
 /// A fold of this much is the edge of something; what is round has smaller ones.
@@ -285,19 +247,17 @@ void Meeting::add(Vec3 normal, double offset) {
   directions_.push_back(direction);
 }
 
-Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm, Slats which) {
+Walls find_walls(const mesh::Surface& surface, const Panels& panels, double short_edge_mm) {
   if (!may_be_hard(surface, panels, short_edge_mm)) {
     return {{}, std::vector<std::uint32_t>(surface.face_count(), Walls::none)};
   }
   std::vector<Region> regions = regions_of(surface, panels, short_edge_mm);
   add_areas_in_planes(regions, short_edge_mm);
-  const std::vector<bool> slats = which == Slats::are_walls ? find_slats(surface, panels, short_edge_mm)
-                                                            : std::vector<bool>(panels.count(), false);
   Walls result;
   std::vector<std::uint32_t> wall(regions.size(), Walls::none);
   for (std::size_t r = 0; r < regions.size(); ++r) {
     const Vec3 normal = normalized(regions[r].normal);
-    if (normal != Vec3{} && (slats[r] || regions[r].is_wall(short_edge_mm))) {
+    if (normal != Vec3{} && regions[r].is_wall(short_edge_mm)) {
       wall[r] = static_cast<std::uint32_t>(result.walls.size());
       result.walls.push_back({normal, 0.0});
     }
@@ -327,121 +287,6 @@ Walls walls_of(const Walls& whole, const FundamentalDomain& domain) {
   result.walls = whole.walls;
   for (const std::uint32_t origin : domain.faces.material) {
     result.of_face.push_back(whole.wall(domain.origins[origin].face));
-  }
-  return result;
-}
-
-namespace {
-
-/// Vertices are off the planes of walls by no more than this share of the diagonal.
-constexpr double in_plane = 2e-5;
-/// Edges of so many times the short edge have room for a tab of full width and a number.
-constexpr double roomy = 2.5;
-/// Cosine of the angle (5 degrees) within which walls count as parallel.
-constexpr double parallel = 0.996;
-
-class WallsAtEdges {
- public:
-  WallsAtEdges(const mesh::Surface& surface, const Walls& walls)
-      : surface_(surface), walls_(walls), tolerance_(in_plane * surface.bounds().diagonal()) {}
-
-  /// Whether no point near an edge is in all walls at its ends.
-  [[nodiscard]] bool keep_apart(EdgeId e) const {
-    const auto [v, w] = ends(e);
-    std::vector<std::uint32_t> around = walls_at(v);
-    const std::vector<std::uint32_t> at_w = walls_at(w);
-    around.insert(around.end(), at_w.begin(), at_w.end());
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    const Vec3 middle = 0.5 * (surface_.point(v) + surface_.point(w));
-    Meeting meeting(middle);
-    for (const std::uint32_t wall : around) {
-      meeting.add(walls_.walls[wall].normal, walls_.walls[wall].offset);
-    }
-    return length(meeting.place() - middle) > surface_.length(e) ||
-           std::any_of(around.begin(), around.end(), [&](std::uint32_t wall) {
-             return std::abs(walls_.walls[wall].height(meeting.place())) > tolerance_;
-           });
-  }
-
-  /// Whether an edge goes from one wall to another one that is parallel.
-  [[nodiscard]] bool across_plate(EdgeId e) const {
-    const auto [v, w] = ends(e);
-    for (const std::uint32_t a : walls_at(v)) {
-      for (const std::uint32_t b : walls_at(w)) {
-        if (a != b && std::abs(dot(walls_.walls[a].normal, walls_.walls[b].normal)) > parallel) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  [[nodiscard]] std::array<VertexId, 2> ends(EdgeId e) const {
-    const CornerId c = surface_.sides(e)[0];
-    return {surface_.vertex(c), surface_.vertex(mesh::next(c))};
-  }
-  [[nodiscard]] std::vector<std::uint32_t> walls_at(VertexId v) const {
-    std::vector<std::uint32_t> walls;
-    for (const CornerId at : surface_.corners_at(v)) {
-      const std::uint32_t wall = walls_.wall(mesh::face_of(at).value());
-      if (wall != Walls::none) {
-        walls.push_back(wall);
-      }
-    }
-    return walls;
-  }
-
-  const mesh::Surface& surface_;
-  const Walls& walls_;
-  double tolerance_;
-};
-
-}  // namespace
-
-FoldFigures fold_figures(const mesh::Surface& surface, const SimplifyOptions& options) {
-  const Panels panels = find_panels(surface);
-  return fold_figures(surface, panels, find_walls(surface, panels, options.short_edge_mm, Slats::are_none),
-                      options);
-}
-
-FoldFigures fold_figures(const mesh::Surface& surface, const Panels& panels, const Walls& walls,
-                         const SimplifyOptions& options) {
-  const WallsAtEdges at_edges(surface, walls);
-  FoldFigures figures;
-  for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
-    const auto [c, d] = surface.sides(e);
-    if (!d.valid() || panels.panel[mesh::face_of(c)] == panels.panel[mesh::face_of(d)]) {
-      continue;
-    }
-    const double length = surface.length(e);
-    ++figures.edges;
-    figures.close += length < roomy * options.short_edge_mm ? 1U : 0U;
-    figures.length += length;
-    figures.cramped += length < options.short_edge_mm ? length : 0.0;
-    if (std::abs(surface.fold_angle(e)) < options.hidden_fold_angle) {
-      continue;
-    }
-    ++figures.folds;
-    if (length < options.short_edge_mm) {
-      figures.brief += at_edges.keep_apart(e) ? 0U : 1U;
-      if (length < options.tiny_edge_mm) {
-        figures.tiny += length < 0.5 * options.tiny_edge_mm || !at_edges.across_plate(e) ? 1U : 0U;
-      }
-    }
-  }
-  return figures;
-}
-
-std::vector<bool> too_fine_components(const mesh::Surface& surface, const SimplifyOptions& options) {
-  std::vector<bool> result;
-  for (const std::vector<FaceId>& component : components(surface)) {
-    const FoldFigures figures = component.size() == surface.face_count()
-                                    ? fold_figures(surface, options)
-                                    : fold_figures(mesh::faces_alone(surface, component), options);
-    result.push_back(figures.short_fraction() > options.short_edge_fraction ||
-                     component.size() > options.most_faces);
   }
   return result;
 }

@@ -14,7 +14,9 @@ What can't be done is raised as `Error` or one of the classes below it, each wit
 from __future__ import annotations
 
 import os
-from typing import Any, List, NamedTuple, Optional, Tuple, Union
+import tempfile
+from pathlib import Path
+from typing import Any, Iterable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -36,6 +38,7 @@ from ._run import Progress, run, unfold
 
 __all__ = [
     "Error",
+    "Hulls",
     "Mesh",
     "Nets",
     "NoNets",
@@ -47,6 +50,7 @@ __all__ = [
     "UsageError",
     "__version__",
     "hulls",
+    "open_project",
     "read",
     "run",
     "run_coacd",
@@ -59,6 +63,24 @@ __all__ = [
 paper = run
 
 Hull = Tuple["npt.NDArray[np.float64]", "npt.NDArray[np.int32]"]
+
+
+class Hulls(List[Hull]):
+    """Convex bodies as (vertices, triangles), and how well they fit together.
+
+    volume_ratio: volume of their union over that of the mesh; None where the mesh encloses nothing.
+    uncovered: share of the mesh's volume that is in none of them; None as above.
+    """
+
+    def __init__(
+        self,
+        hulls: Iterable[Hull] = (),
+        volume_ratio: Optional[float] = None,
+        uncovered: Optional[float] = None,
+    ) -> None:
+        super().__init__(hulls)
+        self.volume_ratio = volume_ratio
+        self.uncovered = uncovered
 
 
 class Mesh(NamedTuple):
@@ -91,6 +113,7 @@ def segment(
     components: str = "apart",
     threads: int = 0,
     seed: int = 1,
+    time_limit: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> npt.NDArray[np.int32]:
     """Cuts a surface into nearly convex parts; gives the part of each face, from 0, or -1 for faces that repair
@@ -105,12 +128,13 @@ def segment(
     pockets: no part's hull may have a pocket deeper than `concavity`; takes a surface without holes.
     holes: 'keep' takes holes as borders, 'close' closes small ones while cutting, 'automatic' looks.
     components: 'apart' cuts each connected component for itself, 'tied' all as one object.
-    seed: of the trials of effort 2 and 3.
+    seed: of the trials of effort 2 and 3; from 0.
+    time_limit: seconds after which OutOfTime is raised.
     """
     return _core.segment(
         vertices, faces, concavity=concavity, effort=effort, parts=parts, volume_weight=volume_weight,
-        planes=planes, pockets=pockets, holes=holes, components=components, threads=threads, seed=seed,
-        progress=progress,
+        planes=planes, pockets=pockets, holes=holes, components=components,
+        run=(threads, seed, time_limit, progress),
     )
 
 
@@ -119,6 +143,7 @@ def hulls(
     faces: Any,
     concavity: float = 0.1,
     *,
+    max_hulls: int = 0,
     max_vertices: int = 0,
     effort: int = 1,
     parts: Optional[int] = None,
@@ -129,17 +154,21 @@ def hulls(
     components: str = "apart",
     threads: int = 0,
     seed: int = 1,
+    time_limit: Optional[float] = None,
     progress: Optional[Progress] = None,
-) -> List[Hull]:
-    """A convex body around each nearly convex part, as (vertices, triangles): for physics engines.
+) -> Hulls:
+    """A convex body around each nearly convex part, as (vertices, triangles): for physics engines. All that a
+    closed mesh encloses is in them, but for at most a thousandth: where parts leave more, further bodies fill it.
 
+    max_hulls: there are no more bodies, those whose joint hull adds least volume are joined; 0 for any number.
     max_vertices: no body has more (at least 8); 0 for any number. The other arguments are those of segment().
     """
-    return _core.hulls(
-        vertices, faces, concavity=concavity, effort=effort, parts=parts, most_parts=None,
+    made, volume_ratio, uncovered = _core.hulls(
+        vertices, faces, concavity=concavity, effort=effort, parts=parts, max_hulls=max_hulls,
         max_vertices=max_vertices, volume_weight=volume_weight, planes=planes, pockets=pockets, holes=holes,
-        components=components, threads=threads, seed=seed, progress=progress,
+        components=components, run=(threads, seed, time_limit, progress),
     )
+    return Hulls(made, volume_ratio, uncovered)
 
 
 def run_coacd(
@@ -162,14 +191,15 @@ def run_coacd(
     seed: int = 0,
     *,
     threads: int = 0,
+    time_limit: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> List[List[Any]]:
     """hulls() in the shape of coacd.run_coacd, so that `import ridgecraft as coacd` tries one in the other's place:
     takes anything with `vertices` and `indices` (or `faces`), and gives a list of [vertices, faces].
 
     threshold is the concavity of segment(), which measures something else than CoACD does: the same number
-    gives other parts. max_convex_hull counts where merge is set, and joins parts until there are no more than
-    that, as far as they hang together. max_ch_vertex counts where decimate is set.
+    gives other parts. max_convex_hull counts where merge is set: there are no more hulls than that, whether they
+    touch or not. max_ch_vertex counts where decimate is set.
     preprocess_mode, preprocess_resolution, resolution, pca and those that begin with mcts_ belong to CoACD's own
     search: they are taken, and change nothing. What can't be had raises UsageError: extrude, and an apx_mode other
     than 'ch'.
@@ -177,14 +207,22 @@ def run_coacd(
     if extrude or apx_mode != "ch":
         raise UsageError("hulls are convex hulls: there are neither extrude nor an apx_mode but 'ch'")
     faces = mesh.indices if hasattr(mesh, "indices") else mesh.faces
-    made = _core.hulls(
+    made, _, _ = _core.hulls(
         mesh.vertices, faces, concavity=threshold, effort=1, parts=None,
-        most_parts=max_convex_hull if merge and max_convex_hull > 0 else None,
+        max_hulls=max_convex_hull if merge and max_convex_hull > 0 else 0,
         max_vertices=max_ch_vertex if decimate else 0, volume_weight=None, planes=False, pockets=False,
-        holes="automatic", components="apart", threads=threads, seed=seed, progress=progress,
+        holes="automatic", components="apart", run=(threads, seed, time_limit, progress),
     )
     return [[points, triangles] for points, triangles in made]
 
 
 def set_log_level(level: str) -> None:
     """Does nothing, for this module prints nothing: there for scripts that call coacd.set_log_level."""
+
+
+def open_project(
+    file: Union[str, "os.PathLike[str]"], *, threads: int = 0, progress: Optional[Progress] = None
+) -> Paper:
+    """The paper of a project (NAME.ridgecraft) or of a page that holds one (NAME.html), with the edits in it."""
+    with tempfile.TemporaryDirectory(prefix="ridgecraft-") as folder:
+        return _core.open_project(os.fspath(file), Path(file).read_bytes(), folder, threads, progress)

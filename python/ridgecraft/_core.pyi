@@ -67,9 +67,7 @@ def segment(
     pockets: bool,
     holes: str,
     components: str,
-    threads: int,
-    seed: int,
-    progress: Optional[Callable[[str, float], Any]],
+    run: Tuple[int, int, Optional[float], Optional[Callable[[str, float], Any]]],
 ) -> npt.NDArray[np.int32]: ...
 def hulls(
     vertices: npt.ArrayLike,
@@ -78,17 +76,22 @@ def hulls(
     concavity: float,
     effort: int,
     parts: Optional[int],
-    most_parts: Optional[int],
+    max_hulls: int,
     max_vertices: int,
     volume_weight: Optional[float],
     planes: bool,
     pockets: bool,
     holes: str,
     components: str,
+    run: Tuple[int, int, Optional[float], Optional[Callable[[str, float], Any]]],
+) -> Tuple[List[Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]], Optional[float], Optional[float]]: ...
+def open_project(
+    file: str,
+    bytes: bytes,
+    folder: str,
     threads: int,
-    seed: int,
     progress: Optional[Callable[[str, float], Any]],
-) -> List[Tuple[npt.NDArray[np.float64], npt.NDArray[np.int32]]]: ...
+) -> Paper: ...
 def unfold(
     vertices: npt.ArrayLike,
     faces: Any,

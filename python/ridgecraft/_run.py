@@ -25,6 +25,7 @@ def unfold(
     scale: Optional[Union[float, str]] = None,
     unit: Optional[str] = None,
     simplify: Optional[Union[int, str]] = None,
+    hours: Optional[Union[float, str]] = None,
     tabs: Optional[Union[bool, Literal["auto", "one-side", "alternate", "both", "slots", "none"]]] = None,
     tab_height: Optional[Union[float, str]] = None,
     tab_angle: Optional[Union[float, str]] = None,
@@ -57,6 +58,8 @@ def unfold(
     unit: Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with scale.
     simplify: How many faces to keep: auto simplifies a model whose edges would be too short to fold, keep never does, a
         number simplifies to that many (auto).
+    hours: How long building it may take: with simplify auto a model that takes longer, or has too many short edges, is
+        simplified; by default one with long edges is left as it is up to 10 hours (4).
     tabs: Which side of a cut gets the glue tab: that with more room behind it; along a seam of two pieces always the
         same piece, or one after the other, as far as there is room; both, to be glued to each other; arrows that go
         into slits of the neighbour, without glue, where there is room for them; neither (auto).
@@ -89,6 +92,7 @@ def unfold(
         "scale": scale,
         "unit": unit,
         "simplify": simplify,
+        "hours": hours,
         "tabs": tabs,
         "tab_height": tab_height,
         "tab_angle": tab_angle,
@@ -116,6 +120,7 @@ def run(
     scale: Optional[Union[float, str]] = None,
     unit: Optional[str] = None,
     simplify: Optional[Union[int, str]] = None,
+    hours: Optional[Union[float, str]] = None,
     strict: Optional[bool] = None,
     sheet: Optional[str] = None,
     margin: Optional[Union[float, str]] = None,
@@ -160,6 +165,8 @@ def run(
     unit: Unit of the file's numbers: mm, cm, m, in, ft (what the file says, else mm); used with scale.
     simplify: How many faces to keep: auto simplifies a model whose edges would be too short to fold, keep never does, a
         number simplifies to that many (auto).
+    hours: How long building it may take: with simplify auto a model that takes longer, or has too many short edges, is
+        simplified; by default one with long edges is left as it is up to 10 hours (4).
     strict: Write nothing, with exit code 9, where the model can't be folded by hand at this size.
     sheet: A0 to A7, B0 to B6, letter, legal, tabloid and others, -landscape added to turn it, or a size such as
         300x200mm (A4).
@@ -194,12 +201,12 @@ def run(
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
         terms: seam=1: a mm of seam to glue; bare=2.5: a mm of seam without room for a tab; slits=2: a mm of seam that
-        hardly opens; mirror=1.5: a mm of seam whose mirror image is none; bands=1: a mm of seam across a strip that
-        goes round, beyond its first seam; open=0.1: a mm of seam on smooth places; borders=0.7: a mm of fold where
-        colours, materials or objects of the model meet; compact=4.5: a cm2 inside a piece's hull that is no paper;
-        outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a mm by which what hangs on a neck is
-        wider than three times the neck; pieces=320: a piece; parts=50: a further part in a piece; small=1200: a piece
-        under 30 mm; panels=800: the square of a piece's flat faces, over 80.
+        hardly opens; mirror=1.5: a mm of seam whose image, mirrored or turned, is none; bands=1: a mm of seam across a
+        strip that goes round, beyond its first seam; open=0.1: a mm of seam on smooth places; borders=0.7: a mm of fold
+        where colours, materials or objects of the model meet; compact=4.5: a cm2 inside a piece's hull that is no
+        paper; outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a mm by which what hangs on a neck
+        is wider than three times the neck; pieces=360: a piece; parts=50: a further part in a piece; small=1200: a
+        piece under 30 mm; panels=800: the square of a piece's flat faces, over 80.
     fold_linear: For sheets that fold themselves: every piece folds up with all creases moving together and no face
         running through another; pieces are split where no net does.
     unite: the contrary of keep_bodies.
@@ -218,6 +225,7 @@ def run(
         "scale": scale,
         "unit": unit,
         "simplify": simplify,
+        "hours": hours,
         "strict": strict,
         "sheet": sheet,
         "margin": margin,

@@ -216,7 +216,7 @@ Measurer::Measurer(const ScaledSurface& surface, const VertexGraph& graph, const
       part_(surface, graph, by.rules.jumps),
       valleys_(part_),
       hulls_(surface.points),
-      depth_(surface, by.tolerance, by.opening_scale.value_or(by.tolerance), context) {}
+      depth_(surface, context) {}
 
 void Measurer::select(std::span<const std::uint32_t> facets) {
   part_.select(facets);
@@ -339,7 +339,7 @@ bool Measurer::fails_in_shadow(std::span<const std::uint32_t> hull_points) {
       hulls_.build(corners, hull);
       depth_.select(hull, HullDepth::HullIs::inner);
     }
-    if (cap(valley) > tolerance_) {
+    if (cap(valley, tolerance_) > tolerance_) {
       return true;
     }
   }
@@ -371,12 +371,12 @@ void Measurer::settle(std::uint32_t index, const MeasureOptions& options, Measur
 }
 
 /// Fills capped_; the greatest of it.
-double Measurer::cap(const Valley& valley) {
+double Measurer::cap(const Valley& valley, double above) {
   capped_.assign(valley.concavity.begin(), valley.concavity.end());
   double greatest = 0.0;
   for (std::size_t i = 0; i < capped_.size(); ++i) {
-    if (rules_.cap && capped_[i] > tolerance_) {
-      capped_[i] = std::min(capped_[i], depth_.at(valley.steps[i].vertex));
+    if (rules_.cap && capped_[i] > above) {
+      capped_[i] = std::min(capped_[i], depth_.at(valley.steps[i].vertex, above));
     }
     greatest = std::max(greatest, capped_[i]);
   }
@@ -390,7 +390,10 @@ void Measurer::search(std::uint32_t index, const MeasureOptions& options, Measur
   if (valley.steps.empty()) {
     found.concavity = INFINITY;
   } else {
-    found.concavity = valley.greatest > tolerance_ ? cap(valley) : valley.greatest;
+    // What is reported is exact also where it is lower than the tolerance; only the greatest of a part
+    // counts.
+    const double above = options.from_scratch ? std::min(tolerance_, out.concavity) : tolerance_;
+    found.concavity = valley.greatest > above ? cap(valley, above) : valley.greatest;
     bridge.length = valley.length;
   }
   bridge.high = found.concavity > tolerance_;

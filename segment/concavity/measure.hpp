@@ -132,8 +132,6 @@ struct MeasureOptions {
 struct MeasureRules {
   double tolerance = 0.0;
   Rules rules = {};
-  /// How far openings may be (hull_depth.hpp), where that isn't the tolerance.
-  std::optional<double> opening_scale = std::nullopt;
 };
 
 /// Measures one part at a time.
@@ -175,7 +173,7 @@ class Measurer {
   bool join_ends(Bridge& bridge) const;
   void settle(std::uint32_t index, const MeasureOptions& options, Measurement& out);
   void search(std::uint32_t index, const MeasureOptions& options, Measurement& out);
-  double cap(const Valley& valley);
+  double cap(const Valley& valley, double above);
 
   const ScaledSurface* surface_;
   const Context* context_;

@@ -107,12 +107,9 @@ constexpr double any_cosine = -2.0;
 /// Vertices looked at between two questions whether to stop: at most some milliseconds.
 constexpr std::size_t questions_per_check = 64;
 
-HullDepth::HullDepth(const ScaledSurface& surface, double tolerance, double opening_scale,
-                     const Context& context)
+HullDepth::HullDepth(const ScaledSurface& surface, const Context& context)
     : surface_(&surface),
       context_(&context),
-      tolerance_(tolerance),
-      opening_scale_(opening_scale),
       mark_(surface.vertex_count(), 0),
       depth_(surface.vertex_count(), 0.0) {}
 
@@ -213,7 +210,7 @@ bool HullDepth::is_thick(const HullPlane& plane) {
   if (known != Thickness::unknown) {
     return known == Thickness::thick;
   }
-  const double needed = opening_thickness * opening_scale_;
+  const double needed = opening_thickness * opening_scale;
   const auto behind = [&](std::uint32_t triangle, std::size_t corner) {
     return plane.offset - dot(plane.normal, surface_->points[hull_->triangles[triangle][corner]]);
   };
@@ -259,18 +256,18 @@ double HullDepth::beside_opening(std::uint32_t v) {
     context_->check();
   }
   const bool inner = is_ == HullIs::inner;
-  const double nearest = planes_.nearest(surface_->points[v], surface_->vertex_normals[v], opening_scale_,
+  const double nearest = planes_.nearest(surface_->points[v], surface_->vertex_normals[v], opening_scale,
                                          inner ? any_cosine : least_opening_cosine,
                                          [&](const HullPlane& plane) { return inner || is_thick(plane); });
   return std::max(0.0, nearest);
 }
 
-double HullDepth::at(std::uint32_t v) {
+double HullDepth::at(std::uint32_t v, double above) {
   if (mark_[v] != current_) {
     mark_[v] = current_;
     const bool unlimited = hull_->flat || surface_->vertex_normals[v] == Vec3{};
     depth_[v] = unlimited ? static_cast<double>(INFINITY) : along_normal(v);
-    if (!unlimited && depth_[v] > tolerance_) {
+    if (!unlimited && depth_[v] > above) {
       depth_[v] = std::min(depth_[v], beside_opening(v));
     }
   }

@@ -93,6 +93,10 @@ class PlaneDirections {
   std::vector<std::uint32_t> first_;  ///< scratch: where each cell begins
 };
 
+/// How far an opening may be from a vertex whose depth it limits: whatever the tolerance, so that the
+/// concavity of a part is its own.
+inline constexpr double opening_scale = 0.1;
+
 /// Depths under one hull at a time, each computed when first asked for.
 class HullDepth {
  public:
@@ -102,25 +106,23 @@ class HullDepth {
     inner   ///< that of some of the part's points: depths are lower bounds of those under the whole hull
   };
 
-  /// Depths up to `tolerance` needn't be exact: of those nothing but the way along the normal is looked at.
-  /// `opening_scale`: how far an opening may be, mostly the tolerance.
-  HullDepth(const ScaledSurface& surface, double tolerance, double opening_scale, const Context& context);
+  HullDepth(const ScaledSurface& surface, const Context& context);
   /// Must be called when the part changes; the hull must stay alive.
   void select(const Hull& hull, HullIs is = HullIs::whole);
   /// Distance from v, a point in the hull, along its normal to the hull's boundary; 0 for hull vertices;
   /// infinite when v has no normal or the hull is flat.
   ///
-  /// Where that is above the tolerance, there may be a shorter way out through an opening, as from the inner
+  /// Where that is more than `above`, there may be a shorter way out through an opening, as from the inner
   /// side of a vessel's rim, whose normal leads across the whole vessel. A facet of the hull closes an
-  /// opening at v if all three hold: its plane is nearer to v than the scale of openings; it isn't behind
+  /// opening at v if all three hold: its plane is nearer to v than opening_scale; it isn't behind
   /// the surface at v (its normal doesn't point against that of v); and the hull is many times thicker behind
   /// it than that scale, so that the facet lies over a hollow body and isn't the flat side of a thin thing,
   /// in which the gap between two arms stays deep. The depth is then at most the distance to that plane.
   ///
-  /// When first asked for a vertex: a walk over the hull from where the last one ended; for those above the
-  /// tolerance a search among the facets, and once for each facet that is near enough a climb over the hull.
-  /// Throws Error(interrupted) when the user asked to stop.
-  [[nodiscard]] double at(std::uint32_t v);
+  /// When first asked for a vertex: a walk over the hull from where the last one ended; for those deeper
+  /// than `above` a search among the facets, and once for each facet that is near enough a climb over the
+  /// hull. Throws Error(interrupted) when the user asked to stop.
+  [[nodiscard]] double at(std::uint32_t v, double above);
 
  private:
   /// Of the hull along a plane's normal.
@@ -137,8 +139,6 @@ class HullDepth {
   const ScaledSurface* surface_;
   const Hull* hull_ = nullptr;
   const Context* context_;
-  double tolerance_;
-  double opening_scale_;
   HullIs is_ = HullIs::whole;
   bool has_planes_ = false;           ///< for this hull: not before they are asked for
   PlaneDirections planes_;            ///< of the hull's triangles that aren't slivers

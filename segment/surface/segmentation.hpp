@@ -78,9 +78,8 @@ enum class PartReason {
 /// One nearly convex part, and its figures.
 struct Part {
   std::vector<FaceId> faces;  ///< ascending
-  /// Largest concavity over the part's bridges, measured from scratch, in the scale of Options::concavity. It
-  /// depends on that tolerance a little, since openings within it count as ways out
-  /// (docs/design/segmentation.md).
+  /// Largest concavity over the part's bridges, measured from scratch, in the scale of Options::concavity:
+  /// the part's own, whatever tolerance it was found with.
   double concavity = 0.0;
   std::vector<VertexId> hull_vertices;  ///< ascending
   double hull_volume = 0.0;             ///< in the surface's own unit, cubed

@@ -336,3 +336,22 @@ TEST_CASE("a changed model keeps every cut that still lies on an edge", "[edge_o
   CHECK(Json::parse(outcome.out)["notes"].dump().find("are no edges of the model on paper") !=
         std::string::npos);
 }
+
+TEST_CASE("settings of earlier nets that no option could have made are refused", "[edge_options]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "house.obj", house);
+  REQUIRE(run_program({"house.obj", "-o", "made.fold"}, in(folder)).exit_code == 0);
+  const Json made = Json::parse(read_bytes(folder / "made.fold"));
+  for (const char* const name : {"size_mm", "mm_per_unit", "judged_at_mm"}) {
+    for (const Json& value : {Json(-1), Json(0), Json("wide"), Json(1e300)}) {
+      if (name == std::string_view("mm_per_unit") && value == Json(1e300)) {
+        continue;  // a number that some model may need
+      }
+      Json edited = made;
+      edited["ridgecraft:settings"][name] = value;
+      write_bytes(folder / "edited.fold", edited.dump());
+      check_refusal(run_program({"house.obj", "--from", "edited.fold", "-o", "x.fold"}, in(folder)), 3,
+                    "edited.fold");
+    }
+  }
+}

@@ -2,14 +2,18 @@
 // What is written from the tables of options and messages: docs/reference/options.md, the studio's controls
 // and texts, and Python's functions. RIDGECRAFT_UPDATE_GOLDEN=1 writes these files.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <regex>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/encodings.hpp"
 #include "base/message.hpp"
@@ -17,11 +21,15 @@
 #include "export/machine/presets.hpp"
 #include "job/asked_options.hpp"
 #include "support/golden.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;
 using namespace ridgecraft::test;
 
 namespace {
+
+/// In the order of the studio's panel.
+constexpr std::array<const char*, 5> panel_groups{"size", "paper", "pieces", "tabs", "machine"};
 
 constexpr const char* note = "made from base/option_table.cpp by tests/cli/generated_files_test.cpp";
 
@@ -175,28 +183,8 @@ std::string control_js(const Option& row) {
   return line + "},\n";
 }
 
-void add_text(std::string& out, const std::string& key, const Label& label) {
-  if (!label.english.empty()) {
-    out += fmt::format("  {}: [{}, {}],\n", json_string(key), json_string(label.english),
-                       json_string(label.german));
-  }
-}
-
-std::string texts_js(const Option& row) {
-  std::string out;
-  const std::string key = "option_" + keyword_of(row);
-  add_text(out, key, row.studio.label);
-  add_text(out, key + (is_select(row) ? "_" : "_usual"), row.studio.usual);
-  add_text(out, key + "_help", row.studio.help);
-  for (const OptionChoice& choice : row.choices) {
-    add_text(out, key + "_" + std::string(choice.word), choice.label);
-  }
-  return out;
-}
-
 std::string studio_module() {
   std::string controls;
-  std::string texts;
   std::string aliases;
   for (const Option& row : option_table()) {
     if (!row.same_as.empty()) {
@@ -204,18 +192,16 @@ std::string studio_module() {
     }
   }
   // Groups stand together in the panel.
-  for (const char* group : {"size", "paper", "pieces", "tabs", "machine"}) {
+  for (const char* group : panel_groups) {
     for (const Option& row : option_table()) {
       if (row.studio.group == group) {
         controls += control_js(row);
-        texts += texts_js(row);
       }
     }
   }
   return fmt::format(
       "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-      "// The controls of the studio and their texts: {}.\n\n"
-      "import {{texts}} from \"./words.js\";\n\n"
+      "// The controls of the studio, whose texts web/languages/ has: {}.\n\n"
       "/**\n"
       " * @typedef {{object}} Option\n"
       " * @property {{string}} key of the option, and of its texts: option_KEY, and option_KEY_help below "
@@ -230,26 +216,53 @@ std::string studio_module() {
       " */\n\n"
       "/** @type {{Option[]}} */\nexport const optionTable = [\n{}];\n\n"
       "/** Options that stand for others. @type {{Record<string, string>}} */\nexport const aliases = "
-      "{{\n{}}};\n\n"
-      "Object.assign(texts, {{\n{}}});\n",
-      note, controls, aliases, texts);
+      "{{\n{}}};\n",
+      note, controls, aliases);
 }
 
-/// The page of a finished result shows why joins have no tab, the studio all messages.
-std::string message_module() {
-  std::string viewer;
-  std::string studio;
-  for (const MessageRow& row : message_table()) {
-    (row.code.starts_with("no_tab_") ? viewer : studio) +=
-        fmt::format("  {}: [{}, {}],\n", row.code, json_string(row.english), json_string(row.german));
+using Words = nlohmann::ordered_json;
+/// The language of a label or a message.
+using Chosen = std::string_view Label::*;
+
+void add_text(Words& out, const std::string& key, std::string_view text) {
+  if (!text.empty()) {
+    out[key] = text;
   }
-  return fmt::format(
-      "// SPDX-License-Identifier: GPL-3.0-or-later\n"
-      "// The program's messages in English and German: made from base/message_table.cpp by "
-      "tests/cli/generated_files_test.cpp.\n\n"
-      "/** @type {{Record<string, [string, string]>}} */\nexport const viewerMessages = {{\n{}}};\n\n"
-      "/** @type {{Record<string, [string, string]>}} */\nexport const studioMessages = {{\n{}}};\n",
-      viewer, studio);
+}
+
+Words option_words(Chosen language) {
+  Words out = Words::object();
+  for (const char* group : panel_groups) {
+    for (const Option& row : option_table()) {
+      if (row.studio.group != group) {
+        continue;
+      }
+      const std::string key = "option_" + keyword_of(row);
+      add_text(out, key, row.studio.label.*language);
+      add_text(out, key + (is_select(row) ? "_" : "_usual"), row.studio.usual.*language);
+      add_text(out, key + "_help", row.studio.help.*language);
+      for (const OptionChoice& choice : row.choices) {
+        add_text(out, key + "_" + std::string(choice.word), choice.label.*language);
+      }
+    }
+  }
+  return out;
+}
+
+/// A file of web/languages/ with what the tables say; the page's own texts stay. The page of a finished
+/// result shows why joins have no tab, the studio all messages.
+std::string language_file(const std::string& code, Chosen language, std::string_view MessageRow::*message) {
+  Words file =
+      Words::parse(read_bytes(std::string(RIDGECRAFT_SOURCE_DIR) + "/web/languages/" + code + ".json"));
+  Words seams = Words::object();
+  Words messages = Words::object();
+  for (const MessageRow& row : message_table()) {
+    (row.code.starts_with("no_tab_") ? seams : messages)[std::string(row.code)] = row.*message;
+  }
+  file["options"] = option_words(language);
+  file["seams"] = std::move(seams);
+  file["messages"] = std::move(messages);
+  return file.dump(1) + "\n";
 }
 
 // ---- Python
@@ -363,7 +376,8 @@ std::string python_module() {
 TEST_CASE("what is written from the tables of options and messages is current", "[options][generated]") {
   check_golden("../../docs/reference/options.md", reference_page());
   check_golden("../../web/option_words.js", studio_module());
-  check_golden("../../web/message_words.js", message_module());
+  check_golden("../../web/languages/en.json", language_file("en", &Label::english, &MessageRow::english));
+  check_golden("../../web/languages/de.json", language_file("de", &Label::german, &MessageRow::german));
   check_golden("../../python/ridgecraft/_run.py", python_module());
 }
 

@@ -140,6 +140,11 @@ TEST_CASE("printed nets are as they were", "[golden]") {
   }
   check_golden("files/house.svg", read_bytes(folder / "house.svg"));
   check_golden("files/house.fold", read_bytes(folder / "house.fold"));
+  // Of the archive, what is stored: packed bytes follow zlib's version.
+  run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", "house.ridgecraft"}, folder);
+  const std::string project = read_bytes(folder / "house.ridgecraft");
+  const std::size_t begin = project.find('{');
+  check_golden("files/house.ridgecraft.txt", project.substr(begin, project.find("PK", begin) - begin));
   run_well({"house.obj", "--size", "45mm", "--paper", "A6", "-o", "house.html"}, folder);
   // Of the page, what of the sheets can't be told from the nets; its program isn't made from the model.
   check_golden("files/house.html.txt", page_document(read_bytes(folder / "house.html"), "sheets"));
@@ -157,6 +162,10 @@ TEST_CASE("parts, nets without pages, hulls, cages and shells are as they were",
       {{"hulls", "house.obj", "-o", "hulls.obj"}, {"hulls.obj"}},
       {{"hulls", "house.obj", "-o", "robot.urdf"},
        {"robot.urdf", "robot-visual.obj", "robot-hull-1.obj", "robot-hull-2.obj"}},
+      {{"hulls", "house.obj", "-o", "robot.xml"}, {"robot.xml"}},
+      {{"hulls", "house.obj", "-o", "robot.sdf"}, {"robot.sdf"}},
+      {{"hulls", "house.obj", "-o", "robot.usda"}, {"robot.usda"}},
+      {{"hulls", "house.obj", "-o", "robot.glb"}, {"robot.glb"}},
       {{"cage", "house.obj", "--faces", "20", "-o", "cage.obj"}, {"cage.obj"}},
       {{"cage", "house.obj", "--faces", "20", "-o", "cage.ply"}, {"cage.ply"}},
       {{"cage", "house.obj", "--faces", "20", "-o", "cage.off"}, {"cage.off"}},
@@ -183,6 +192,7 @@ TEST_CASE("what --json prints is as it was, but for the times", "[golden]") {
       {"cage", {"cage", "house.obj", "--faces", "20", "-o", "cage.off"}},
       {"shell", {"shell", "house.obj", "--opening", "20%", "-o", "shell.ply"}},
       {"deform", {"deform", "house.obj", "--cage", "cage.off", "--to", "cage.off", "-o", "same.obj"}},
+      {"batch", {"batch", "hulls", "house.obj", "-o", "batch"}},
       {"formats", {"formats"}}};
   for (const auto& [verb, words] : jobs) {
     check_golden("json/" + verb + ".json", json_text(words, folder));

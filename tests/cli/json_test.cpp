@@ -90,6 +90,7 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
   const std::vector<std::pair<std::string, std::vector<std::vector<std::string>>>> verbs{
       {"ridgecraft MODEL",
        {{"bar.obj", "--size", "100mm", "--faces", "keep", "-o", flat},
+        {"bar.obj", "--size", "100mm", "--faces", "keep", "--max-faces", "1", "-o", flat, "--overwrite"},
         {"house.obj", "--size", "1mm", "-o", "y.fold"},
         {"house.obj", "--size", "30cm", "-o", "y.fold"},
         {"house.obj", "--size", "8cm", "-o", "z.pdf"},
@@ -102,6 +103,7 @@ TEST_CASE("the keys of --json are documented, each of them and no other", "[json
       {"ridgecraft hulls", {{"hulls", "bar.obj", "-o", "x.obj"}, {"shell", "bar.obj", "-o", "y.obj"}}},
       {"ridgecraft verify",
        {{"verify", "bad.fold"}, {"verify", "house.fold", "--model", "house.obj", "--pages", "house.pdf"}}},
+      {"ridgecraft batch", {{"batch", "hulls", "house.obj", "-o", "batch"}}},
       {"ridgecraft formats", {{"formats"}}}};
   for (const auto& [verb, runs] : verbs) {
     std::set<std::string> keys;

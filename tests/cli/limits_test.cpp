@@ -93,7 +93,7 @@ TEST_CASE("a time limit that is too short to read stops with a sentence", "[limi
   }
 }
 
-TEST_CASE("segmentation has no half result; the main job says what it did without one", "[limits]") {
+TEST_CASE("segmentation has no half result, and the main job says what it did without one", "[limits]") {
   const TemporaryFolder folder;
   write_bytes(folder / "sheet.off", wavy_sheet(120));
   // Long enough to read, far too short to segment 28,800 wavy faces to this tolerance.

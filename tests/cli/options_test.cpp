@@ -72,6 +72,22 @@ TEST_CASE("options may stand anywhere, and -o is repeatable", "[options]") {
   CHECK(paper.options.paper->size.x == Approx(215.9));
 }
 
+TEST_CASE("an option that is repeated takes one value each time", "[options]") {
+  const auto model = [](const std::vector<std::string>& words) {
+    return std::get<MakeJob>(parse_arguments(words)).model;
+  };
+  CHECK(model({"-o", "out", "whale.obj"}) == "whale.obj");
+  CHECK(model({"--only", "roof", "whale.obj"}) == "whale.obj");
+  CHECK(model({"--weigh", "pieces=2", "whale.obj"}) == "whale.obj");
+  const Job job = parse_arguments({"verify", "--pages", "a.pdf", "nets.fold", "--pages", "b.svg"});
+  CHECK(std::get<VerifyJob>(job).file == "nets.fold");
+  CHECK(std::get<VerifyJob>(job).pages == std::vector<std::string>{"a.pdf", "b.svg"});
+  const Job parts = parse_arguments({"segment", "--compare", "a.seg", "b.seg", "whale.obj"});
+  CHECK(std::get<SegmentJob>(parts).model == "whale.obj");
+  CHECK(std::get<SegmentJob>(parts).compare == std::vector<std::string>{"a.seg", "b.seg"});
+  CHECK(refusal({"-o", "out", "whale.obj", "fish.obj"}).find("fish.obj") != std::string::npos);
+}
+
 TEST_CASE("folds are hidden below an angle in degrees", "[options]") {
   const Job job = parse_arguments({"whale.obj", "--hide-folds", "10"});
   const auto& options = std::get<MakeJob>(job).options;

@@ -403,3 +403,21 @@ TEST_CASE("Colours are printed as they are, pale or not at all") {
   check_refusal(run_program({"a.obj", "--dpi", "300", "--ink", "lines"}, in(folder)), 2, "--dpi");
   check_refusal(run_program({"a.obj", "--dpi", "300", "--preset", "laser"}, in(folder)), 2, "--dpi");
 }
+
+TEST_CASE("a picture that can't be unpacked is told without being asked for", "[printed_colours]") {
+  const TemporaryFolder folder;
+  // Whole from outside, and nothing within.
+  write_bytes(folder / "skin.png", std::string("\x89PNG\r\n\x1a\n", 8) +
+                                       std::string("\0\0\0\1IDATxcrcc", 13) +
+                                       std::string("\0\0\0\0IENDcrcc", 12));
+  write_bytes(folder / "a.mtl", "newmtl a\nKd 1 0 0\nmap_Kd skin.png\n");
+  write_bytes(folder / "a.obj",
+              "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\n"
+              "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 2/1 3/2 4/3\nf 3/1 1/2 4/3\n");
+  const Outcome made = run_program({"a.obj", "-o", "a.fold"}, in(folder));
+  CHECK(made.exit_code == 0);
+  CHECK(
+      made.err.find(
+          "note: a texture picture is missing or can't be used (the picture of material \"a\" is damaged") !=
+      std::string::npos);
+}

@@ -70,3 +70,17 @@ TEST_CASE("info lists the names", "[selection]") {
   const Json told = Json::parse(run_program({"info", "scene.obj", "--json"}, in(folder)).out);
   CHECK(told["names"] == std::vector<std::string>{"Ground", "wheel.001", "wheel.002", "Red"});
 }
+
+TEST_CASE("the name of a plate stands for all that is on it", "[selection]") {
+  const TemporaryFolder folder;
+  std::string plates = scene;
+  for (const auto& [name, longer] :
+       {std::pair{"wheel.001", "plate1/wheel"}, std::pair{"wheel.002", "plate2/wheel"}}) {
+    plates.replace(plates.find(name), std::string_view(name).size(), longer);
+  }
+  write_bytes(folder / "scene.obj", plates);
+  CHECK(made_of(folder, {"--only", "plate1"})["faces"] == 4);
+  CHECK(made_of(folder, {"--without", "plate1", "--without", "Ground"})["faces"] == 4);
+  check_refusal(run_program({"scene.obj", "--only", "plate"}, in(folder)), 2,
+                "nothing in the model is named 'plate'");
+}

@@ -70,6 +70,11 @@ TEST_CASE("the studio's page has the model, what its materials name, and the wor
   write_bytes(folder / "other.mtl", "newmtl b\n");
   write_bytes(folder / "textures/wood.png", "\x89PNG");
   write_bytes(folder / "secret.png", "\x89PNG");
+  // What lies elsewhere stays there, although a link to it has the name of a picture.
+  const TemporaryFolder elsewhere;
+  write_bytes(elsewhere / "private.png", "private");
+  std::filesystem::create_symlink(elsewhere / "private.png", folder / "link.png");
+  write_bytes(folder / "skin.mtl", "newmtl a\nmap_Kd textures/wood.png\nnewmtl b\nmap_Kd link.png\n");
   const StudioJob job{(folder / "a<b>.obj").string(), {"--only", "</script>"}, true};
   const std::string page = studio_page(frame, job);
   CHECK(page.starts_with("<p>a</p>"));

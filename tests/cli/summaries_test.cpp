@@ -226,9 +226,10 @@ TEST_CASE("what a maker may want to change is said before the work", "[summaries
 
 TEST_CASE("numbers in lists are told by their pieces", "[summaries]") {
   const TemporaryFolder folder;
-  write_bytes(folder / "house.obj", house);
-  const Json json =
-      Json::parse(run_program({"house.obj", "--size", "1mm", "--json", "-o", "x.fold"}, in(folder)).out);
+  const Json json = Json::parse(
+      run_program({RIDGECRAFT_SOURCE_DIR "/samples/penguin.obj", "--size", "3mm", "--json", "-o", "x.fold"},
+                  in(folder))
+          .out);
   REQUIRE_FALSE(json["numbers_in_lists"].empty());
   CHECK(json["labels_listed"] == json["numbers_in_lists"].size());
   CHECK(json["labels_left_out"] == 0);
@@ -332,7 +333,7 @@ TEST_CASE("of numbers without room it is told where they stand, if that is anywh
   const TemporaryFolder folder;
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(),
-                 {RIDGECRAFT_SOURCE_DIR "/samples/penguin.obj", "--size", "45mm", "--faces", "keep"});
+                 {RIDGECRAFT_SOURCE_DIR "/samples/penguin.obj", "--size", "30mm", "--faces", "keep"});
     const Outcome outcome = run_program(words, in(folder));
     INFO(outcome.err);
     REQUIRE(outcome.exit_code == 0);

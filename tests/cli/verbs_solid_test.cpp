@@ -89,6 +89,35 @@ TEST_CASE("hulls and cages take the options of parts that segment has", "[verbs_
   check_refusal(run_program({"hulls", "table.obj", "-o", "x.obj", "--parts", "999"}, in(folder)), 2, "999");
 }
 
+TEST_CASE("hulls say how well they fit, and keep to their limits", "[verbs_solid]") {
+  const TemporaryFolder folder;
+  write_bytes(folder / "table.obj", table());
+  const auto told = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{"hulls", "table.obj", "-o", "a.obj", "--overwrite", "--json"};
+    words.insert(words.end(), options.begin(), options.end());
+    const Outcome outcome = run_program(words, in(folder));
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return Json::parse(outcome.out);
+  };
+  const Json all = told({});
+  CHECK(all["uncovered"].get<double>() <= 1e-3);
+  CHECK(all["volume_ratio"].get<double>() == Approx(1.0).margin(0.02));
+  CHECK(all["notes"].empty());
+  const Json few = told({"--max-hulls", "3", "--max-vertices", "16"});
+  CHECK(few["parts"] == 5);
+  CHECK(few["bodies"].size() == 3);
+  CHECK(few["uncovered"].get<double>() <= 1e-3);
+  CHECK(few["volume_ratio"].get<double>() > 1.1);
+  // What isn't closed encloses nothing that is known.
+  write_bytes(folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome sheet = run_program({"hulls", "sheet.obj", "-o", "s.obj", "--json"}, in(folder));
+  CHECK(Json::parse(sheet.out)["uncovered"].is_null());
+  CHECK(Json::parse(sheet.out)["notes"].dump().find("closed") != std::string::npos);
+  check_refusal(run_program({"hulls", "table.obj", "-o", "x.obj", "--max-hulls", "0"}, in(folder)), 2,
+                "--max-hulls");
+}
+
 TEST_CASE("a cage has to be closed, and is told of when it doesn't surround the model", "[verbs_solid]") {
   const TemporaryFolder folder;
   write_bytes(folder / "house.obj", house);
@@ -217,4 +246,29 @@ TEST_CASE("hulls of an earlier description go with it, and nothing else does", "
   // The description of another model, made of one of the hulls: the model itself stays.
   REQUIRE(run_program({"hulls", "t-hull-3.obj", "-o", "t.urdf", "--overwrite"}, in(folder)).exit_code == 0);
   CHECK(folder.names() == with({"t-hull-1.obj", "t-hull-3.obj"}));
+}
+
+TEST_CASE("hulls that close openings are told, with what keeps them open", "[verbs_solid]") {
+  const TemporaryFolder folder;
+  // A frame of eight cubes around a hole, and a table, whose five hulls leave the room below it open.
+  std::vector<std::array<int, 3>> frame;
+  for (int x = 0; x < 3; ++x) {
+    for (int y = 0; y < 3; ++y) {
+      if (x != 1 || y != 1) {
+        frame.push_back({x, y, 0});
+      }
+    }
+  }
+  write_bytes(folder / "frame.obj", ridgecraft::mesh::write_obj(voxels(frame, 1)));
+  write_bytes(folder / "table.obj", table());
+  const auto notes = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "hulls");
+    words.insert(words.end(), {"-o", "h.obj", "--overwrite", "--json"});
+    return Json::parse(run_program(words, in(folder)).out)["notes"];
+  };
+  const Json closed = notes({"frame.obj", "--parts", "1"});
+  REQUIRE(closed.size() == 1);
+  CHECK(closed[0]["code"] == "hulls_close_openings");
+  CHECK(closed[0]["text"].get<std::string>().find("--pockets") != std::string::npos);
+  CHECK(notes({"table.obj"}).empty());
 }

@@ -17,6 +17,7 @@
 #include "sample_pages.hpp"
 #include "strokes.hpp"
 #include "support/shapes.hpp"
+#include "unfold/net/chains.hpp"
 
 namespace ridgecraft {
 namespace {
@@ -113,33 +114,68 @@ bool in_face(const test::SamplePages& sample, PieceId piece, Vec2 p) {
   return false;
 }
 
-TEST_CASE("each cut edge has its number inside its piece, near it and along it") {
+/// Whether a number of a chain stands near one of these sides and along it: inside the piece or, where there
+/// is one, on a tab.
+bool has_number(const test::SamplePages& sample, const std::vector<export_::Drawing>& pages,
+                const std::vector<CornerId>& sides, std::uint32_t number) {
+  bool found = false;
+  const PieceId piece = sample.nets.piece[mesh::face_of(sides.front())];
+  const auto& place = sample.pages.placements[piece];
+  for (const CornerId c : sides) {
+    const Vec2 a = place(sample.nets.flat[mesh::face_of(c)][c.value() % 3]);
+    const Vec2 b = place(sample.nets.flat[mesh::face_of(c)][mesh::next(c).value() % 3]);
+    const Vec2 along = (b - a) / length(b - a);
+    for (const auto& group : pages[place.page.value()].groups) {
+      for (const auto& text : group.texts) {
+        if (text.layer == Layer::label && group.id == "piece-" + sample.nets.pieces[piece].name &&
+            test::number_in(text.text) == std::to_string(number)) {
+          const double off = cross(along, text.centre - a);
+          const double at = dot(along, text.centre - a);
+          const bool inside = in_face(sample, piece, text.centre) && off > 0.0 && off < 6.0;
+          const bool on_tab = std::ranges::any_of(sample.nets.tabs, [&](const unfold::Tab& tab) {
+            return tab.side == c && off < 0.0 && off > -5.0;
+          });
+          found = found || ((inside || on_tab) && at > -1.0 && at < length(b - a) + 1.0);
+          CHECK(text.height >= 1.6);
+          CHECK(std::cos(text.angle) > -2e-3);  // never upside down
+        }
+      }
+    }
+  }
+  return found;
+}
+
+TEST_CASE("each chain has its number on both sides between any two sharp corners") {
   for (const auto& sample : samples(0.4)) {
     const auto pages = export_::draw({sample.model, sample.nets, sample.pages}, {});
     const mesh::Surface& surface = sample.model.model.surface;
-    for (const auto& join : sample.nets.joins) {
-      for (const CornerId c : surface.sides(join.edge)) {
-        const PieceId piece = sample.nets.piece[mesh::face_of(c)];
-        const auto& place = sample.pages.placements[piece];
-        const Vec2 a = place(sample.nets.flat[mesh::face_of(c)][c.value() % 3]);
-        const Vec2 b = place(sample.nets.flat[mesh::face_of(c)][mesh::next(c).value() % 3]);
-        const Vec2 along = (b - a) / length(b - a);
-        bool found = false;
-        for (const auto& group : pages[place.page.value()].groups) {
-          for (const auto& text : group.texts) {
-            if (text.layer == Layer::label && group.id == "piece-" + sample.nets.pieces[piece].name &&
-                test::number_in(text.text) == std::to_string(join.number) &&
-                in_face(sample, piece, text.centre)) {
-              const double off = cross(along, text.centre - a);
-              const double at = dot(along, text.centre - a);
-              found = found || (off > 0.0 && off < 6.0 && at > -1.0 && at < length(b - a) + 1.0);
-              CHECK(text.height >= 1.6);
-              CHECK(std::cos(text.angle) > -2e-3);  // never upside down
-            }
+    const auto direction = [&](CornerId c) {
+      const auto& flat = sample.nets.flat[mesh::face_of(c)];
+      const Vec2 way = flat[mesh::next(c).value() % 3] - flat[c.value() % 3];
+      return way / length(way);
+    };
+    const auto size_of = [&](const std::vector<CornerId>& row) {
+      double size = 0.0;
+      for (const CornerId side : row) {
+        size += surface.length(surface.edge(side));
+      }
+      return size;
+    };
+    for (const unfold::Chain& chain : unfold::chains_of(surface, sample.nets)) {
+      std::vector<CornerId> beyond;
+      for (const CornerId side : chain.sides) {
+        beyond.insert(beyond.begin(), surface.twin(side));
+      }
+      for (const std::vector<CornerId>& sides : {chain.sides, beyond}) {
+        std::vector<CornerId> row;
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+          row.push_back(sides[i]);
+          if (i + 1 == sides.size() || dot(direction(sides[i]), direction(sides[i + 1])) < 0.5) {
+            INFO(sample.model.model.name << " chain " << chain.number);
+            CHECK((size_of(row) < 10.0 || has_number(sample, pages, row, chain.number)));
+            row.clear();
           }
         }
-        INFO(sample.model.model.name << " join " << join.number);
-        CHECK(found);
       }
     }
   }

@@ -33,6 +33,7 @@ export_::PieceDrawing piece_with(const std::vector<int>& numbers) {
     export_::Seam seam;
     seam.number = static_cast<std::uint32_t>(std::abs(number));
     seam.at = number > 0 ? export_::NumberAt::edge : export_::NumberAt::list;
+    piece.sides.push_back({piece.seams.size()});
     piece.seams.push_back(seam);
   }
   return piece;
@@ -89,16 +90,20 @@ std::set<std::string> unmarked_on(const export_::Drawing& page) {
 /// Numbers whose two edges meet when an outline is closed like a zip: equal neighbours are taken out until
 /// there are none.
 std::set<std::uint32_t> zipped(const export_::PieceDrawing& piece) {
+  std::map<JoinId, std::uint32_t> numbers;
+  for (const export_::Seam& seam : piece.seams) {
+    numbers[seam.join] = seam.number;
+  }
   std::set<std::uint32_t> gone;
   for (const auto& rim : piece.rims) {
-    std::vector<std::uint32_t> left;
+    std::vector<JoinId> left;
     for (const std::size_t seam : rim) {
-      left.push_back(piece.seams[seam].number);
+      left.push_back(piece.seams[seam].join);
     }
     for (std::size_t i = 0; i < left.size();) {
       const std::size_t next = (i + 1) % left.size();
       if (left.size() > 1 && left[i] == left[next]) {
-        gone.insert(left[i]);
+        gone.insert(numbers.at(left[i]));
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(std::max(i, next)));
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(std::min(i, next)));
         i = 0;
@@ -191,6 +196,15 @@ TEST_CASE("numbers follow each other clockwise on the printed side", "[number_li
       area += 0.5 * cross(here.b, here.a);
     }
     CHECK(area < 0.0);  // clockwise with y up
+    std::size_t edges = 0;
+    for (const std::vector<std::size_t>& side : drawing.sides) {
+      edges += side.size();
+      for (std::size_t i = 1; i < side.size(); ++i) {
+        CHECK(length(drawing.seams[side[i - 1]].edge.b - drawing.seams[side[i]].edge.a) < 1e-9);
+        CHECK(drawing.seams[side[i - 1]].number == drawing.seams[side[i]].number);
+      }
+    }
+    CHECK(edges == drawing.seams.size());
   }
 }
 
@@ -367,6 +381,7 @@ export_::PieceDrawing outline(const std::vector<int>& numbers) {
     if (numbers[i] != 0) {
       export_::Seam seam;
       seam.number = static_cast<std::uint32_t>(std::abs(numbers[i]));
+      seam.join = JoinId(seam.number);
       seam.edge = {corner(i + 1), corner(i)};  // its face on the left
       seam.at = numbers[i] > 0 ? NumberAt::edge : NumberAt::list;
       piece.rims[0].push_back(piece.seams.size());

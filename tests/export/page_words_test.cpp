@@ -143,7 +143,7 @@ TEST_CASE("the legend shows each kind of line of its page, and no other") {
       for (std::size_t g = 0; g + 1 < page.groups.size(); ++g) {
         for (const auto& line : page.groups[g].lines) {
           if (line.layer == Layer::mark) {
-            continue;  // a tick between two numbers tells enough
+            continue;  // a tick tells enough
           }
           INFO(sample.model.model.name << " " << export_::id(line.layer));
           CHECK(std::ranges::any_of(legend.lines, [&](const auto& item) { return same_look(item, line); }));
@@ -165,7 +165,7 @@ TEST_CASE("the legend shows each kind of line of its page, and no other") {
   }
 }
 
-TEST_CASE("a tick tells where one number's edge goes straight on as another's") {
+TEST_CASE("ticks tell where edges meet that look like one, and where one chain goes on as another") {
   // Every panel of the corner is divided in four: its sides have a vertex in the middle, and no tabs hide it.
   const mesh::Surface corner = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 2);
   const auto sample = test::sample_pages(corner, 22.0, 0.0, {}, "Corner");
@@ -178,8 +178,10 @@ TEST_CASE("a tick tells where one number's edge goes straight on as another's") 
           continue;
         }
         ++ticks;
-        CHECK(length(tick.points[1] - tick.points[0]) == Approx(1.5));
-        // It begins on the outline, and no fold ends there.
+        const double size = length(tick.points[1] - tick.points[0]);
+        const bool within = size == Approx(1.1);
+        CHECK((within || size == Approx(2.0)));
+        // It begins on the outline, and no fold ends there that would tell the same.
         bool on_cut = false;
         for (const auto& line : lines) {
           for (std::size_t i = 0; i < line.points.size(); ++i) {
@@ -189,7 +191,7 @@ TEST_CASE("a tick tells where one number's edge goes straight on as another's") 
                 std::abs(length(tick.points[0] - a) + length(tick.points[0] - b) - length(b - a));
             on_cut = on_cut || (line.layer == Layer::cut && off < 1e-6);
             const bool fold = line.layer == Layer::mountain || line.layer == Layer::valley;
-            CHECK_FALSE((fold && length(a - tick.points[0]) < 0.01));
+            CHECK_FALSE((within && fold && length(a - tick.points[0]) < 0.01));
           }
         }
         CHECK(on_cut);

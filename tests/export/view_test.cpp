@@ -189,7 +189,7 @@ void check_lines(const Scene& scene, const Camera& camera, const View& view, Ran
 TEST_CASE("a cube shows three squares and nine edges", "[view]") {
   const Surface cube = test::cube();
   const Scene scene = whole_scene(cube);
-  const View view = export_::look_at(scene, export_::look_from({}, 0.6, 0.5), 1e-3);
+  const View view = export_::look_at(scene, export_::look_from({}, 0.6, 0.5), 1e-3, {});
   CHECK(view.areas.size() == 3);
   CHECK(view.lines.size() == 9);
   CHECK(std::count_if(view.lines.begin(), view.lines.end(), [](const auto& line) { return line.outline; }) ==
@@ -214,7 +214,7 @@ TEST_CASE("what rays meet first is seen, and nothing else", "[view]") {
     const Scene scene = whole_scene(shape);
     for (int round = 0; round < 12; ++round) {
       const Camera camera = random_camera(random);
-      const View view = export_::look_at(scene, camera, 1e-6);
+      const View view = export_::look_at(scene, camera, 1e-6, {});
       check_areas(scene, camera, view, random);
       check_lines(scene, camera, view, random);
     }
@@ -230,7 +230,7 @@ TEST_CASE("where faces are left out, the eye sees inside", "[view]") {
       region = random.below(3) == 0 ? Scene::hidden_region : region;
     }
     const Camera camera = random_camera(random);
-    const View view = export_::look_at(scene, camera, 1e-6);
+    const View view = export_::look_at(scene, camera, 1e-6, {});
     check_areas(scene, camera, view, random);
     CHECK(std::any_of(view.areas.begin(), view.areas.end(), [](const auto& area) { return area.inside; }));
   }
@@ -240,7 +240,7 @@ TEST_CASE("a coarse view shows the same faces, and places well inside them", "[v
   const Surface shape = test::voxels({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   const Scene scene = whole_scene(shape);
   const Camera camera = export_::look_from({}, 0.5, 0.4);
-  const View view = export_::look_at(scene, camera, 1e-6);
+  const View view = export_::look_at(scene, camera, 1e-6, {});
   const export_::CoarseView coarse = export_::look_coarsely(scene, camera, 200);
   std::size_t count = 0;
   for (const std::uint32_t region : scene.region) {

@@ -152,7 +152,7 @@ TEST_CASE("folds that get no line are no short folds, either", "[job]") {
 }
 
 TEST_CASE("a size that the program chose gives what asking for that size does", "[job]") {
-  // Ten tiles in pairs that run into each other, so thin that tabs have no room at 150 mm, and a bar that
+  // Twelve tiles in pairs that run into each other, so thin that tabs have no room at 150 mm, and a bar that
   // is too small at that size alone.
   std::vector<Vec3> points;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -164,10 +164,10 @@ TEST_CASE("a size that the program chose gives what asking for that size does", 
       points.push_back(p);
     }
   };
-  for (int i = 0; i < 5; ++i) {
-    const double x = 32.0 * i;
-    add({x, 0, 0}, {x + 14, 14, 4.9});
-    add({x + 8, 0, 0}, {x + 22, 14, 4.9});
+  for (int i = 0; i < 6; ++i) {
+    const double x = 26.0 * i;
+    add({x, 0, 0}, {x + 12, 14, 4.9});
+    add({x + 8, 0, 0}, {x + 20, 14, 4.9});
   }
   add({130, 4, 4.9}, {150, 6.6, 7.5});
   mesh::Model model = test::repaired(test::soup(points, faces));
@@ -175,7 +175,7 @@ TEST_CASE("a size that the program chose gives what asking for that size does", 
   job::Options options;
   options.size.adapts = true;
   const job::Result chosen = job::run(model, options, {});
-  REQUIRE(chosen.prepared.size_reason == prepare::SizeReason::room);
+  REQUIRE(chosen.prepared.size_reason == prepare::SizeReason::folds);
   const double size = chosen.used.size.largest_extent_mm;
   CHECK(size > 150.0);
   CHECK_FALSE(chosen.used.size.judged_at_mm);

@@ -57,6 +57,7 @@ double folded_over_borders(const std::string& text, double weight, std::uint64_t
   job::Options options;
   options.simplify.mode = prepare::Simplification::keep;
   options.pieces.weights.borders = weight;
+  options.pieces.weights.mirror = 0.0;  // images without borders would draw the other way
   Context context;
   context.seed = seed;
   const job::Result made = job::run(model_of(text), options, context);

@@ -351,7 +351,7 @@ TEST_CASE("a file that calls pieces equal that aren't is found", "[job][twins]")
 
 TEST_CASE("a file that calls tabs of equal pieces equal that aren't is found", "[job][twins]") {
   const job::Result made =
-      job::run(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/penguin.obj", {}, {}), {}, {});
+      job::run(mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/star.obj", {}, {}), {}, {});
   const std::string told = ",\"other_tabs\":true";
   const std::size_t at = made.fold.find(told);
   REQUIRE(at != std::string::npos);

@@ -7,9 +7,13 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "base/random.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/reading/files.hpp"
+#include "mesh/reading/text_scanner.hpp"
+#include "mesh/seeds.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace ridgecraft;
@@ -129,6 +133,123 @@ TEST_CASE("Look: pictures of a model's folder are laid on its faces, others aren
   // A copy beside the model stands in for the artist's own.
   write_bytes(folder / "in/outside.jpg", jpeg);
   CHECK(read("../outside.jpg").materials[0].texture_file == "outside.jpg");
+}
+
+namespace {
+
+/// A picture of three times two pixels, as other programs pack it.
+struct PackedPicture {
+  std::string_view format;
+  std::string_view base64;
+};
+constexpr std::array packed_pictures{
+    PackedPicture{"TGA",
+                  "AAACAAAAAAAAAAAAAwACABgAAP//MCAQ////AAD/AP8A/wAAAAAAAAAAAABUUlVFVklTSU9OLVhGSUxFLgA="},
+    PackedPicture{"TGA",
+                  "AAAKAAAAAAAAAAAAAwACABgAAgD//zAgEP///wIAAP8A/wD/AAAAAAAAAAAAAFRSVUVWSVNJT04tWEZJTEUuAA=="},
+    PackedPicture{
+        "BMP",
+        "Qk1OAAAAAAAAADYAAAAoAAAAAwAAAAIAAAABABgAAAAAABgAAADEDgAAxA4AAAAAAAAAAAAAAP//MCAQ////AAAAAAD/AP8A/wAA"
+        "AAAA"},
+    PackedPicture{"GIF", "R0lGODdhAwACAIIAAP//////AAD/ABAgMP8AAAAA/wAAAAAAACwAAAAAAwACAAAICQAJCCgQYACAgAA7"},
+    PackedPicture{
+        "WebP",
+        "UklGRjwAAABXRUJQVlA4TDAAAAAvAkAAAC8gECBI8R9pQyCQpLA/7AIBgiT/ceY/8IkhbBUoZBsBTu0egzO7iP7HeAE="},
+    PackedPicture{
+        "TIFF",
+        "SUkqABgAAACAP8AQOBQR/wIICAYQd/wECgAAAQMAAQAAAAMAAAABAQMAAQAAAAIAAAACAQMAAwAAAJYAAAADAQMAAQAAAAUA"
+        "AAAGAQMAAQAAAAIAAAARAQQAAQAAAAgAAAAVAQMAAQAAAAMAAAAWAQMAAQAAAAIAAAAXAQQAAQAAABAAAAAcAQMAAQAAAAEA"
+        "AAAAAAAACAAIAAgA"}};
+
+std::string bytes_of(const PackedPicture& picture) {
+  return mesh::from_base64(picture.base64).value();
+}
+
+}  // namespace
+
+TEST_CASE("Look: TGA, BMP, GIF, WebP and TIFF have the pixels that other programs put into them") {
+  constexpr std::array<std::uint8_t, 18> pixels{255, 0,   0, 0,  255, 0,  0,   0,   255,
+                                                255, 255, 0, 16, 32,  48, 255, 255, 255};
+  for (const PackedPicture& packed : packed_pictures) {
+    INFO(packed.format);
+    const std::string bytes = bytes_of(packed);
+    REQUIRE(mesh::picture_format(bytes));
+    CHECK(mesh::picture_format(bytes)->name == packed.format);
+    CHECK(mesh::picture_fault(bytes).empty());
+    const auto picture = mesh::unpack_picture(bytes);
+    REQUIRE(picture);
+    CHECK(picture->width() == 3);
+    CHECK(std::equal(pixels.begin(), pixels.end(), picture->pixels().begin(), picture->pixels().end()));
+    Random random(2);
+    for (int i = 0; i < 300; ++i) {
+      std::string damaged =
+          bytes.substr(0, i % 3 == 0 ? random.below(static_cast<std::uint32_t>(bytes.size())) : bytes.npos);
+      if (!damaged.empty()) {
+        damaged[random.below(static_cast<std::uint32_t>(damaged.size()))] =
+            static_cast<char>(random.below(256));
+      }
+      (void)mesh::unpack_picture(damaged);
+    }
+  }
+  // What is transparent is white, unless nothing is opaque: then the program knew no transparency.
+  const auto leaf = mesh::unpack_picture(
+      bytes_of({"WebP",
+                "UklGRjgAAABXRUJQVlA4TCwAAAAvAkAAEC8gECBI8R9pQyBAkOA/lkAgSWl/uOc/BlbAPRUQCF"
+                "CmCgdF9D/SDw=="}));
+  REQUIRE(leaf);
+  CHECK(leaf->pixels()[3] == 255);
+  CHECK(leaf->pixels()[4] == 255);
+}
+
+TEST_CASE("Look: pictures in formats that aren't read are named with a way out") {
+  for (const auto& [start, name] : {std::pair{"\xabKTX 20\xbb\r\n\x1a\n", "KTX2"}, std::pair{"DDS |", "DDS"},
+                                    std::pair{"8BPS", "Photoshop"}, std::pair{"v/1\x01", "OpenEXR"}}) {
+    CHECK(mesh::picture_fault(std::string(start) + std::string(40, 'x')) ==
+          fmt::format("is a {} picture, which isn't read: save it as PNG", name));
+  }
+  CHECK(mesh::picture_fault("nothing of the kind") == "is no picture");
+}
+
+TEST_CASE("Look: pictures are found in the folders that people keep them in") {
+  const TemporaryFolder folder;
+  const std::string red = bytes_of(packed_pictures[0]);
+  for (const char* const name : {"a/Textures", "a/maps", "pack/source", "pack/textures", "pack/other"}) {
+    std::filesystem::create_directories(folder / name);
+  }
+  write_bytes(folder / "a/Textures/deep.tga", red);
+  write_bytes(folder / "a/maps/saved.PNG", tiny_png());
+  write_bytes(folder / "a/maps/own.dds", "DDS |123456789012345678901234567890");
+  write_bytes(folder / "a/own.png", tiny_png());
+  write_bytes(folder / "pack/textures/skin.tga", red);
+  write_bytes(folder / "pack/other/hidden.tga", red);
+  const auto found = [&](const std::string& in, const std::string& name) {
+    write_bytes(folder / (in + "/m.mtl"), "newmtl m\nmap_Kd " + name + "\n");
+    write_bytes(folder / (in + "/m.obj"), "mtllib m.mtl\n" + quad + "usemtl m\nf 1 2 3 4\n");
+    const mesh::Model model = mesh::read(folder / (in + "/m.obj"), {}, {});
+    CHECK(model.repairs.count(mesh::RepairKind::texture_missing) == (model.materials[0].picture ? 0 : 1));
+    return model.materials[0].texture_file;
+  };
+  CHECK(found("a", R"(C:\Users\artist\deep.tga)") == "Textures/deep.tga");
+  CHECK(found("a", "saved.jpg") == "maps/saved.PNG");  // converted, and the MTL file not changed
+  CHECK(found("a", "own.dds") == "own.png");           // one that is read counts more
+  CHECK(found("a", "nowhere.png").empty());
+  CHECK(found("pack/source", "skin.tga") == "../textures/skin.tga");
+  CHECK(found("pack/source", "hidden.tga").empty());
+  CHECK(found("pack/source", "../other/hidden.tga").empty());
+  // A link doesn't make a folder's own what lies elsewhere.
+  std::filesystem::create_symlink(folder / "pack/other/hidden.tga", folder / "pack/textures/link.tga");
+  CHECK(found("pack/source", "link.tga").empty());
+}
+
+TEST_CASE("Look: many large pictures are kept within one budget") {
+  mesh::Picture picture(64, 32, soft_pixels(64, 32));
+  const Rgb before = picture.at({0.9, 0.1}, 1);
+  CHECK(picture.coarsen());
+  CHECK(picture.width() == 32);
+  CHECK(picture.at({0.9, 0.1}, 0) == before);
+  while (picture.coarsen()) {
+  }
+  CHECK(picture.height() >= 4);
 }
 
 TEST_CASE("Look: pictures that are cut off are refused or read, but end nothing") {

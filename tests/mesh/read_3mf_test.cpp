@@ -231,5 +231,157 @@ TEST_CASE("3MF: supports for printing are no part of the model") {
                            R"(<item objectid="1"/><item objectid="2"/>)")),
              "3mf");
   CHECK(soup.polygon_count() == 1);
-  CHECK(soup.remarks.count(RepairKind::element_ignored) == 1);
+  CHECK(soup.remarks.count(RepairKind::object_left_out) == 1);
+}
+
+namespace {
+
+/// A closed tetrahedron for each of these corners, in one mesh.
+std::string tetrahedra(const std::vector<Vec3>& at, const std::string& keys_of_first = {}) {
+  std::string vertices;
+  std::string triangles;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    for (const Vec3 p : {at[i], at[i] + Vec3{4, 0, 0}, at[i] + Vec3{0, 4, 0}, at[i] + Vec3{0, 0, 4}}) {
+      vertices += fmt::format("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>", p.x, p.y, p.z);
+    }
+    using Corners = std::array<std::size_t, 3>;
+    for (const Corners& t : {Corners{0, 2, 1}, Corners{0, 1, 3}, Corners{0, 3, 2}, Corners{1, 2, 3}}) {
+      triangles += fmt::format("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\" {}/>", 4 * i + t[0], 4 * i + t[1],
+                               4 * i + t[2], triangles.empty() ? keys_of_first : std::string());
+    }
+  }
+  return "<vertices>" + vertices + "</vertices><triangles>" + triangles + "</triangles>";
+}
+
+/// What a soup says it left out.
+std::string left_out(const Soup& soup) {
+  for (const mesh::Repair& remark : soup.remarks.entries()) {
+    if (remark.kind == RepairKind::object_left_out) {
+      return fmt::format("{}: {}", remark.count, remark.detail);
+    }
+  }
+  return {};
+}
+
+std::string volume(int first, int last, const std::string& type, int extruder) {
+  return fmt::format(R"(<volume firstid="{}" lastid="{}"><metadata type="volume" key="name" value="{}"/>)"
+                     R"(<metadata type="volume" key="volume_type" value="{}"/>)"
+                     R"(<metadata type="volume" key="extruder" value="{}"/></volume>)",
+                     first, last, type, type, extruder);
+}
+
+Colour colour_at(const Soup& soup, std::size_t polygon) {
+  return soup.materials.at(soup.polygon_material.at(polygon)).colour.value();
+}
+
+double area(const Soup& soup, std::size_t polygon) {
+  const auto corners = soup.polygon(polygon);
+  Vec3 sum;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum = sum + cross(soup.points[corners[i]] - soup.points[corners[0]],
+                      soup.points[corners[i + 1]] - soup.points[corners[0]]);
+  }
+  return length(sum) / 2.0;
+}
+
+}  // namespace
+
+TEST_CASE("3MF: what PrusaSlicer marks as no part of the model is left out and counted") {
+  const std::string config =
+      "<config><object id=\"1\"><metadata type=\"object\" key=\"name\" value=\"thing\"/>" +
+      volume(0, 3, "ModelPart", 1) + volume(4, 7, "ParameterModifier", 0) +
+      volume(8, 11, "SupportBlocker", 0) + volume(12, 15, "NegativeVolume", 0) +
+      volume(16, 19, "ModelPart", 2) + "</object></config>";
+  const std::string xml =
+      model(object(1, tetrahedra({{0, 0, 0}, {9, 0, 0}, {18, 0, 0}, {27, 0, 0}, {36, 0, 0}})),
+            R"(<item objectid="1" printable="1"/><item objectid="1" printable="0"/>)");
+  const Soup soup =
+      parsed(threemf(xml, {{"Metadata/Slic3r_PE_model.config", config},
+                           {"Metadata/Slic3r_PE.config",
+                            "; extruder_colour = ;#00FF00\n; filament_colour = #FF8000;#112233\n"}}),
+             "3mf");
+  REQUIRE(soup.polygon_count() == 8);
+  CHECK(left_out(soup) == "4: 1 negative part, 1 modifier, 1 support and 1 not to be printed");
+  CHECK(colour_at(soup, 0) == Colour{1.0, 128 / 255.0, 0.0});
+  CHECK(colour_at(soup, 4) == Colour{0.0, 1.0, 0.0});
+  CHECK(signed_volume(soup, 0, 4) == Approx(64.0 / 6.0));
+  CHECK(soup.points[soup.polygon(4)[0]].x == 36.0);
+  // Nothing at all is a sentence, and without its side file the object is whole.
+  CHECK(why(model(object(1, tetrahedra({{0, 0, 0}})), R"(<item objectid="1" printable="0"/>)")) ==
+        "4 model.3mf has nothing to build: all it holds is 1 not to be printed");
+  CHECK(parsed(threemf(xml, {{"Metadata/Slic3r_PE_model.config", "<config><obj"}}), "3mf").polygon_count() ==
+        20);
+}
+
+TEST_CASE("3MF: parts of Bambu Studio's objects keep their roles, names, filaments and plates") {
+  const std::string config =
+      R"(<config><object id="9"><metadata key="name" value="thing"/><metadata key="extruder" value="1"/>)"
+      R"(<part id="1" subtype="normal_part"><metadata key="name" value="body"/></part>)"
+      R"(<part id="2" subtype="negative_part"/><part id="3" subtype="support_enforcer"/>)"
+      R"(<part id="4" subtype="normal_part"><metadata key="name" value="lid"/><metadata key="extruder" value="2"/>)"
+      R"(</part></object>)"
+      R"(<plate><metadata key="plater_id" value="1"/><model_instance><metadata key="object_id" value="9"/>)"
+      R"(<metadata key="instance_id" value="0"/></model_instance></plate>)"
+      R"(<plate><metadata key="plater_id" value="2"/><model_instance><metadata key="object_id" value="9"/>)"
+      R"(<metadata key="instance_id" value="1"/></model_instance></plate></config>)";
+  std::string resources;
+  std::string components;
+  for (const int id : {1, 2, 3, 4}) {
+    resources += object(id, tetrahedra({{9.0 * id, 0, 0}}), id == 2 || id == 3 ? "type=\"other\"" : "");
+    components += fmt::format("<component objectid=\"{}\"/>", id);
+  }
+  resources += "<object id=\"9\"><components>" + components + "</components></object>";
+  const std::string xml =
+      model(resources, R"(<item objectid="9"/><item objectid="9" transform="1 0 0 0 1 0 0 0 1 0 90 0"/>)");
+  const ZipFiles more{
+      {"Metadata/model_settings.config", config},
+      {"Metadata/project_settings.config", R"({"filament_colour": ["#FF0000", "#0000FF"], "x": 1})"}};
+  const Soup soup = parsed(threemf(xml, more), "3mf");
+  REQUIRE(soup.polygon_count() == 16);
+  CHECK(left_out(soup) == "4: 2 negative parts and 2 supports");
+  CHECK(soup.objects == std::vector<std::pair<std::uint32_t, std::string>>{
+                            {0, "plate1/body"}, {4, "plate1/lid"}, {8, "plate2/body"}, {12, "plate2/lid"}});
+  CHECK(colour_at(soup, 0) == Colour{1, 0, 0});
+  CHECK(colour_at(soup, 4) == Colour{0, 0, 1});
+}
+
+TEST_CASE("3MF: a brush's strokes divide triangles as the slicer does") {
+  // The painted triangle has the area 8. Digits come last first.
+  const auto painted = [&](const std::string& code) {
+    const std::string key = GENERATE(std::string("paint_color"), std::string("slic3rpe:mmu_segmentation"));
+    const ZipFiles more{
+        {"Metadata/project_settings.config", R"({"filament_colour":["#FF0000","#00FF00","#0000FF"]})"},
+        {"Metadata/model_settings.config", "<config><object id=\"1\"/></config>"}};
+    return parsed(threemf(model(object(1, tetrahedra({{0, 0, 0}}, fmt::format("{}=\"{}\"", key, code))),
+                                R"(<item objectid="1"/>)"),
+                          more),
+                  "3mf");
+  };
+  const auto blue = [](const Soup& soup) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
+      sum += colour_at(soup, i) == Colour{0, 0, 1} ? area(soup, i) : 0.0;
+    }
+    return sum;
+  };
+  // "0C" is filament 3: state 3 follows in a digit of its own.
+  CHECK(blue(painted("0C")) == Approx(8.0));
+  CHECK(blue(painted("40C1")) == Approx(4.0));    // half of it
+  CHECK(blue(painted("440C2")) == Approx(4.0));   // what is left of it beyond a corner
+  CHECK(blue(painted("0C442")) == Approx(2.0));   // the corner
+  CHECK(blue(painted("4440C3")) == Approx(2.0));  // the middle one of four
+  CHECK(blue(painted("440C43")) == Approx(2.0));  // a corner of four
+  // The triangle that shares a divided side has its middle as a corner, so that nothing gapes.
+  const Soup soup = painted("40C1");
+  CHECK(soup.polygon_count() == 5);
+  std::size_t four = 0;
+  for (std::size_t i = 0; i < soup.polygon_count(); ++i) {
+    four += soup.polygon(i).size() == 4 ? 1U : 0U;
+  }
+  CHECK(four == 1);
+  // Codes that end early or go too deep leave the triangle whole and unpainted.
+  for (const std::string& code : {std::string("1"), std::string("xyz"), std::string(100000, '3')}) {
+    CHECK(painted(code).polygon_count() == 4);
+    CHECK(painted(code).materials.empty());
+  }
 }

@@ -10,6 +10,7 @@
 #include "base/random.hpp"
 #include "mesh/file_writers.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/reading/text_scanner.hpp"
 #include "mesh/seeds.hpp"
 #include "reading.hpp"
 #include "support/temporary_folder.hpp"
@@ -364,11 +365,6 @@ TEST_CASE("glTF: what can't be read is refused with its place") {
   p.more = R"(,{"componentType":5126,"count":3,"type":"VEC3"})";
   p.primitive = R"({"attributes":{"POSITION":2}})";
   starts("3 model.glb, accessors[2]: nothing says where its values are");
-  p.top = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])";
-  starts(
-      "3 model.glb is compressed with Draco (KHR_draco_mesh_compression), which isn't read: export it again");
-  p.top = R"(,"extensionsRequired":["EXT_meshopt_compression"])";
-  starts("3 model.glb is compressed with meshopt");
   p.top = R"(,"extensionsRequired":["NEW_thing"])";
   starts("3 model.glb can only be read with the extension \"NEW_thing\", which isn't known");
   p.top = R"(,"extensionsRequired":["KHR_materials_unlit","KHR_texture_basisu"])";
@@ -431,4 +427,129 @@ TEST_CASE("glTF: points that seams divide are joined in silence") {
   CHECK(model.surface.vertex_count() == 4);
   CHECK(model.repairs.count(RepairKind::points_joined) == 0);
   CHECK(model.frame.mm_per_unit == 1000.0);
+}
+
+namespace {
+
+/// A tetrahedron with the corners (0,0,0), (2,0,0), (0,2,0), (0,0,2) by the encoders of Draco and meshopt.
+constexpr std::string_view draco_tetrahedron =
+    "RFJBQ08CAgEBAAAABAQBAwAAAS8BARD/"
+    "AmZAAv8AAAAAAAEACQMAAAABAwkCAAEAAAAAAAAAAAAAAABAAAAAAAAAAEAAAAAAAAAAAAAAAAAAAAAAAAAAQA"
+    "AAAAAAAAAAAACAPwAAgD8AAAAAAACAPwAAAAAAAAAAAACAPwAAAAA=";
+constexpr std::string_view meshopt_points =
+    "oAAAAAE8AAAAgH8AAAABDwAAAIB/AAAAAQMAAACAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA=";
+constexpr std::string_view meshopt_corners = "4f4OAhHwBAB2h1ZneKmGZYlomAFpAAA=";
+
+std::string compressed(std::string_view extension, const std::string& accessors, const std::string& views,
+                       const std::string& primitive, const std::string& bytes) {
+  return glb(
+      fmt::format(
+          R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}}],)"
+          R"("extensionsRequired":["{}"],"meshes":[{{"primitives":[{}]}}],"accessors":[{}],)"
+          R"("bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
+          extension, primitive, accessors, views, bytes.size()),
+      bytes);
+}
+
+std::string draco_glb(const std::string& bytes) {
+  return compressed(
+      "KHR_draco_mesh_compression",
+      R"({"componentType":5126,"count":4,"type":"VEC3"},{"componentType":5125,"count":12,"type":"SCALAR"},)"
+      R"({"componentType":5126,"count":4,"type":"VEC2"})",
+      fmt::format(R"({{"buffer":0,"byteLength":{}}})", bytes.size()),
+      R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"extensions":{"KHR_draco_mesh_compression":)"
+      R"({"bufferView":0,"attributes":{"POSITION":0,"TEXCOORD_0":1}}}})",
+      bytes);
+}
+
+std::string meshopt_glb(const std::string& points, const std::string& corners) {
+  const auto view = [](std::size_t at, std::size_t size, const char* rest, std::size_t unpacked) {
+    return fmt::format(
+        R"({{"buffer":0,"byteLength":{3},"extensions":{{"EXT_meshopt_compression":{{"buffer":0,)"
+        R"("byteOffset":{0},"byteLength":{1},{2}}}}}}})",
+        at, size, rest, unpacked);
+  };
+  return compressed(
+      "EXT_meshopt_compression",
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+      R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"})",
+      view(0, points.size(), R"("byteStride":12,"count":4,"mode":"ATTRIBUTES")", 48) + "," +
+          view(points.size(), corners.size(), R"("byteStride":2,"count":12,"mode":"TRIANGLES")", 24),
+      R"({"attributes":{"POSITION":0},"indices":1})", points + corners);
+}
+
+}  // namespace
+
+TEST_CASE("glTF: Draco and meshopt are unpacked, and damaged data is refused") {
+  const std::string draco = mesh::from_base64(draco_tetrahedron).value();
+  const std::string points = mesh::from_base64(meshopt_points).value();
+  const std::string corners = mesh::from_base64(meshopt_corners).value();
+  for (const std::string& bytes : {draco_glb(draco), meshopt_glb(points, corners)}) {
+    const Soup soup = parsed(bytes, "glb");
+    CHECK(soup.polygon_count() == 4);
+    CHECK(signed_volume(soup, 0, 4) == Approx(8.0 / 6.0));
+  }
+  CHECK(refusal(draco_glb("DRACO" + std::string(60, 'x')), "glb").find("its Draco data is damaged") !=
+        std::string::npos);
+  CHECK(refusal(meshopt_glb(std::string(62, 'x'), corners), "glb").find("its meshopt data is damaged") !=
+        std::string::npos);
+  Random random(5);
+  for (int i = 0; i < 400; ++i) {
+    std::string bytes = i % 2 == 0 ? draco_glb(draco) : meshopt_glb(points, corners);
+    const std::size_t packed = i % 2 == 0 ? draco.size() : points.size() + corners.size();
+    bytes[bytes.size() - 1 - random.below(static_cast<std::uint32_t>(packed))] =
+        static_cast<char>(random.below(256));
+    (void)refusal(bytes, "glb");
+  }
+}
+
+TEST_CASE("glTF: copies by EXT_mesh_gpu_instancing stand where the file says") {
+  Parts p;
+  p.nodes = R"({"mesh":0,"translation":[0,0,5],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":)"
+            R"({"TRANSLATION":2,"SCALE":3}}}})";
+  p.more = R"(,{"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"})"
+           R"(,{"bufferView":2,"componentType":5126,"byteOffset":24,"count":2,"type":"VEC3"})";
+  p.more_views = R"(,{"buffer":0,"byteOffset":64,"byteLength":48})";
+  p.more_bytes = float_bytes({10, 0, 0, 0, 20, 0, 1, 1, 1, 3, 3, 3});
+  const Soup soup = read(p);
+  REQUIRE(soup.polygon_count() == 4);
+  CHECK(near(corners(soup, 0)[0], {10, 0, 5}));
+  CHECK(near(corners(soup, 0)[1], {11, 0, 5}));
+  CHECK(near(corners(soup, 2)[0], {0, 20, 5}));
+  CHECK(near(corners(soup, 2)[1], {3, 20, 5}));
+}
+
+TEST_CASE("glTF: a picture in WebP is taken, one in KTX2 is named") {
+  const auto textured = [](const std::string& extension, const std::string& picture) {
+    Parts p;
+    p.primitive = R"({"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":0})";
+    p.more = R"(,{"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})";
+    p.top = fmt::format(
+        R"(,"images":[{{"uri":"data:image/x;base64,{}"}}],"textures":[{{"extensions":{{"{}":{{"source":0)"
+        R"(}}}}}}],"materials":[{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":0}}}}}}],)"
+        R"("extensionsRequired":["{}"])",
+        base64(picture), extension, extension);
+    return read(p);
+  };
+  const std::string webp =
+      mesh::from_base64(
+          "UklGRjwAAABXRUJQVlA4TDAAAAAvAkAAAC8gECBI8R9pQyCQpLA/7AIBgiT/ceY/8IkhbBUoZBsBTu0egzO7iP7HeAE=")
+          .value();
+  const Soup soup = textured("EXT_texture_webp", webp);
+  REQUIRE(soup.materials.size() == 1);
+  REQUIRE(soup.materials[0].picture);
+  CHECK(*soup.materials[0].picture == webp);
+  const Soup named = textured("KHR_texture_basisu", "\xabKTX 20\xbb\r\n\x1a\n and more");
+  REQUIRE(named.remarks.count(RepairKind::texture_missing) == 1);
+  CHECK(named.remarks.entries().back().detail ==
+        "images[0] is a KTX2 picture, which isn't read: save it as PNG");
+}
+
+TEST_CASE("glTF: what the file has and isn't used is told") {
+  Parts p;
+  p.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0})";
+  p.top = R"(,"materials":[{"alphaMode":"BLEND"}])";
+  const Soup soup = read(p);
+  REQUIRE(soup.remarks.count(RepairKind::feature_ignored) == 1);
+  CHECK(soup.remarks.entries().back().detail == "transparency of 1 material");
 }

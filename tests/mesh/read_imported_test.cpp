@@ -3,18 +3,24 @@
 // down.
 #include "mesh/reading/imported/read_imported.hpp"
 
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
+#include <string>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/random.hpp"
+#include "base/vector.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/reading/files.hpp"
 #include "mesh/reading/imported/stream.hpp"
@@ -290,4 +296,120 @@ TEST_CASE("Damaged files of these formats are read or refused, never more", "[im
       CHECK(told.find('\n') == std::string::npos);
     }
   }
+}
+
+namespace {
+
+/// A skin in COLLADA: a cube whose points a joint holds.
+std::string dae_skin(const std::string& id, const std::string& joint, const std::string& bind_shape,
+                     const std::string& inverse_bind) {
+  return fmt::format(
+      R"(<controller id="c{0}"><skin source="#cube"><bind_shape_matrix>{2}</bind_shape_matrix>)"
+      R"(<source id="{0}j"><Name_array id="{0}ja" count="1">{1}</Name_array><technique_common>)"
+      R"(<accessor source="#{0}ja" count="1" stride="1"><param name="JOINT" type="name"/></accessor></technique_common>)"
+      R"(</source><source id="{0}b"><float_array id="{0}ba" count="16">{3}</float_array><technique_common>)"
+      R"(<accessor source="#{0}ba" count="1" stride="16"><param name="TRANSFORM" type="float4x4"/></accessor>)"
+      R"(</technique_common></source><source id="{0}w"><float_array id="{0}wa" count="1">1</float_array>)"
+      R"(<technique_common><accessor source="#{0}wa" count="1" stride="1"><param name="WEIGHT" type="float"/></accessor>)"
+      R"(</technique_common></source><joints><input semantic="JOINT" source="#{0}j"/>)"
+      R"(<input semantic="INV_BIND_MATRIX" source="#{0}b"/></joints><vertex_weights count="8">)"
+      R"(<input semantic="JOINT" source="#{0}j" offset="0"/><input semantic="WEIGHT" source="#{0}w" offset="1"/>)"
+      R"(<vcount>1 1 1 1 1 1 1 1</vcount><v>0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0</v></vertex_weights></skin></controller>)",
+      id, joint, bind_shape, inverse_bind);
+}
+
+}  // namespace
+
+TEST_CASE("COLLADA: skins are where their joints hold them at rest", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  const std::string identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1";
+  const std::string dae =
+      R"(<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset>)"
+      R"(<unit meter="1" name="meter"/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="cube"><mesh>)"
+      R"(<source id="p"><float_array id="pa" count="24">-1 -1 -1 1 -1 -1 1 1 -1 -1 1 -1 -1 -1 1 1 -1 1 1 1 1 -1 1 1)"
+      R"(</float_array><technique_common><accessor count="8" source="#pa" stride="3"><param name="X" type="float"/>)"
+      R"(<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>)"
+      R"(<vertices id="v"><input semantic="POSITION" source="#p"/></vertices><polylist count="6">)"
+      R"(<input offset="0" semantic="VERTEX" source="#v"/><vcount>4 4 4 4 4 4</vcount>)"
+      R"(<p>0 3 2 1 4 5 6 7 0 1 5 4 1 2 6 5 2 3 7 6 3 0 4 7</p></polylist></mesh></geometry></library_geometries>)"
+      R"(<library_controllers>)" +
+      dae_skin("b", "hip", identity, identity) +
+      dae_skin("h", "neck", ".5 0 0 0 0 .5 0 2.5 0 0 .5 0 0 0 0 1", "1 0 0 0 0 1 0 -2 0 0 1 0 0 0 0 1") +
+      R"(</library_controllers><library_visual_scenes><visual_scene id="s"><node id="rig" name="rig">)"
+      R"(<node id="hip" sid="hip" name="hip" type="JOINT"><matrix>)" +
+      identity +
+      R"(</matrix><node id="neck" sid="neck" name="neck" type="JOINT"><matrix>1 0 0 0 0 1 0 2 0 0 1 0 0 0 0 1</matrix>)"
+      R"(</node></node><node id="n1" name="body"><instance_controller url="#cb"><skeleton>#hip</skeleton>)"
+      R"(</instance_controller></node><node id="n2" name="head"><instance_controller url="#ch"><skeleton>#hip</skeleton>)"
+      R"(</instance_controller></node></node></visual_scene></library_visual_scenes>)"
+      R"(<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
+  const Soup soup = imported(dae, "skin.dae");
+  REQUIRE(soup.polygon_count() == 12);
+  Box3 body;
+  Box3 head;
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (const std::uint32_t p : soup.polygon(i)) {
+      (i < 6 ? body : head).add(soup.points[p]);
+    }
+  }
+  // The body is the cube, the head half as large and above it, as its bind_shape_matrix says.
+  CHECK(length(body.low - Vec3{-1, -1, -1}) < 1e-6);
+  CHECK(length(body.high - Vec3{1, 1, 1}) < 1e-6);
+  CHECK(length(head.low - Vec3{-0.5, 2.0, -0.5}) < 1e-6);
+  CHECK(length(head.high - Vec3{0.5, 3.0, 0.5}) < 1e-6);
+}
+
+TEST_CASE("COLLADA: polygons with holes are refused in words of our own", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  std::string dae = dae_tower();
+  const std::size_t at = dae.find("<p>");
+  REQUIRE(at != std::string::npos);
+  dae.replace(at, 3, "<ph><h>1</h></ph><p>");
+  const std::string why = import_refusal(dae, "a.dae");
+  CHECK(why.starts_with("a.dae can't be read as DAE: "));
+  CHECK(why.ends_with("; open it in Blender and export it as glTF (.glb) or OBJ"));
+}
+
+TEST_CASE("The importer has its two streams and no more, and the system refuses it all else", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  std::array<int, 2> in{};
+  std::array<int, 2> out{};
+  REQUIRE(::pipe(in.data()) == 0);
+  REQUIRE(::pipe(out.data()) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    // Descriptors that aren't closed on exec: the importer must not keep them.
+    ::dup2(in[0], STDIN_FILENO);
+    ::dup2(out[1], STDOUT_FILENO);
+    ::execl(importer.c_str(), importer.c_str(), "FBX", static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  const std::string process = "/proc/" + std::to_string(child);
+  std::string status;
+  for (int i = 0; i < 2000 && status.find("Seccomp:\t2") == std::string::npos; ++i) {
+    ::usleep(1000);
+    std::ifstream file(process + "/status");
+    status.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  std::set<std::string> open;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(process + "/fd", ignored)) {
+    open.insert(entry.path().filename().string());
+  }
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  for (const int end : {in[0], in[1], out[0], out[1]}) {
+    ::close(end);
+  }
+#if !defined(RIDGECRAFT_SANITIZED)
+  CHECK(status.find("Seccomp:\t2") != std::string::npos);
+  CHECK(open == std::set<std::string>{"0", "1", "2"});
+#endif
 }

@@ -259,6 +259,7 @@ class Folder {
     write("model.obj", text);
     return mesh::read_soup(path_ / "model.obj", {});
   }
+  [[nodiscard]] Soup read_written(const std::string& name) const { return mesh::read_soup(path_ / name, {}); }
 
  private:
   fs::path path_;
@@ -339,6 +340,43 @@ TEST_CASE("MTL: pictures are looked at before they are named") {
     CHECK(texture(bad).empty());
   }
   CHECK(folder.read("mtllib sub/b.mtl\n", {"m"}).materials[0].texture_file == "sub/in.png");
+}
+
+TEST_CASE("MTL: -s and -o place a picture, -clamp ends it, and what can't be shown is counted") {
+  const Folder folder;
+  folder.write("a.png", png);
+  folder.write(
+      "a.mtl",
+      "newmtl moved\nmap_Kd -s 2 3 1 -o 0.25 -clamp off a.png\nnewmtl plain\nmap_Kd a.png\n"
+      "newmtl clamped\nmap_Kd -clamp on -s 2 2 -mm 0.1 0.5 a.png\nd 0.5\nnewmtl leaf\nmap_d a.png\n");
+  folder.write(
+      "model.obj",
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.5\nvt 1 0\nvt 0 1\nusemtl moved\nf 1/1 2/2 3/3\n"
+      "usemtl plain\nf 1/1 2/2 3/3\nusemtl clamped\nf 1/1 2/2 3/3\nusemtl leaf\nf 1/1 2/2 3/3\n");
+  const Soup soup = folder.read_written("model.obj");
+  const auto places = [&](std::size_t polygon) {
+    std::vector<Vec2> found;
+    for (std::uint32_t c = soup.first_corner[polygon]; c < soup.first_corner[polygon + 1]; ++c) {
+      found.push_back(soup.texture_points[soup.corner_texture[c]]);
+    }
+    return found;
+  };
+  CHECK(places(0) == std::vector<Vec2>{{1.25, 1.5}, {2.25, 0.0}, {0.25, 3.0}});
+  CHECK(places(1) == std::vector<Vec2>{{0.5, 0.5}, {1.0, 0.0}, {0.0, 1.0}});
+  CHECK(places(2) == std::vector<Vec2>{{1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}});
+  REQUIRE(soup.remarks.count(RepairKind::feature_ignored) == 2);
+  CHECK(soup.remarks.entries().front().detail == "transparency of 2 materials and -mm of 1 picture");
+}
+
+TEST_CASE("OBJ: ZBrush's colours of points are those of the corners") {
+  const Soup soup =
+      parsed("v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff0000ff00ff00ff0000ff\n#more\nf 1 2 3\n", "obj");
+  CHECK(soup.corner_colour == std::vector<std::uint32_t>{0xff0000, 0x00ff00, 0x0000ff});
+  // Colours behind the coordinates count more; a code that is none ends the list.
+  CHECK(parsed("v 0 0 0 1 1 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff0000\nf 1 2 3\n", "obj").corner_colour[0] ==
+        0xffff00);
+  CHECK(parsed("v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB zzzzzzzz\nf 1 2 3\n", "obj").corner_colour.empty());
+  CHECK(parsed("v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB \nf 1 2 3\n", "obj").corner_colour.empty());
 }
 
 TEST_CASE("Pictures are whole only with their last byte") {

@@ -16,7 +16,7 @@ constexpr std::string_view body = "3 1 0\n0 0 0\n1 0 0\n0 1 0.5\n3 0 1 2\n";
 
 TEST_CASE("OFF: all forms of the header") {
   for (const std::string start : {"OFF\n", "OFF ", "OFF# c\n\n", "# c\nOFF\n# c\n", "COFF\n", "NOFF\n",
-                                  "STCNOFF\n", "\xef\xbb\xbfOFF\r\n", ""}) {
+                                  "STCNOFF\n", "\xef\xbb\xbfOFF\r\n", "", "OFF", "off\n", "COFF"}) {
     INFO(start);
     const Soup soup = parsed(start + std::string(body), "off");
     CHECK(soup.format == mesh::FileFormat::off);
@@ -70,4 +70,9 @@ TEST_CASE("OFF: refusals name the line") {
   CHECK(refusal("OFF\n-3 1 0\n", "off").starts_with("3 "));
   CHECK(refusal("OFF\n99999999999999999999 1 0\n", "off").starts_with("3 "));
   CHECK(refusal("OFF\n", "off").starts_with("3 "));
+}
+
+TEST_CASE("OFF: counts may follow the keyword without a blank, and be on lines of their own") {
+  CHECK(parsed("OFF3\n1 0\n0 0 0\n1 0 0\n0 1 0.5\n3 0 1 2\n", "off").points.size() == 3);
+  CHECK(refusal("OFFSET 3 1 0\n", "off").starts_with("3 "));
 }

@@ -60,7 +60,7 @@ TEST_CASE("Files that are something else are named for it") {
   says("{\"a\": 1}", "JSON");
   says("Kaydara FBX Binary  \0"s, "FBX");
   says("; FBX 7.3.0 project file\n", "FBX");
-  says("BLENDER-v293", "Blender");
+  says("BLENDER-v279", "Blender");
   says("ISO-10303-21;\nHEADER;", "STEP");
   says("%PDF-1.7", "PDF");
   says("\xff\xfev\0 \0"s, "UTF-16");
@@ -93,12 +93,33 @@ TEST_CASE("Models of other formats are refused with a way out") {
        "from SketchUp as glTF");
   says("a.SKP", "PK\x03\x04\0\0\0\0"s, "a SketchUp model", "from SketchUp as glTF");
   says("a", "Kaydara FBX Binary  \0"s, "an FBX model", "Blender");
-  says("a.blend", "\x28\xb5\x2f\xfd\0\0"s, "a Blender file", "Blender");
   says("a.usdz", "PK\x03\x04\0\0\0\0"s, "a USD model", "Blender");
   says("a.sldprt", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"s, "a SolidWorks model", "OBJ, STL or 3MF");
   says("a.dae", "<?xml version=\"1.0\"?>\n<COLLADA xmlns", "a COLLADA model", "Blender");
   says("a.igs", "                                        S      1", "an IGES model", "FreeCAD");
+  says("a", "Metasequoia Document\nFormat Text", "a Metasequoia model", "glTF (.glb), OBJ or STL");
+  says("a", "PMX \0\0\0@"s, "a model of MikuMikuDance (PMX)", "MMD Tools");
+  says("a", "Pmd\0\0\x80?"s, "a model of MikuMikuDance (PMD)", "MMD Tools");
+  says("a", "VOX \x96\0\0\0MAIN"s, "a MagicaVoxel model", "MagicaVoxel as OBJ or PLY");
+  says("a", R"({"meta":{"format_version":"4.5","model_format":"free"}})", "a Blockbench model",
+       "Blockbench as glTF");
+  says("a.bbmodel", R"({"elements":[]})", "a Blockbench model", "Blockbench as glTF");
+  says("a.json", R"({"type":"CityJSON","version":"1.1"})", "a CityJSON city model",
+       "'cjio FILE export obj FILE.obj'");
+  says("a.gml", "<?xml version=\"1.0\"?>\n<core:CityModel xmlns", "a CityGML city model", "citygml-tools");
+  says("a.mpd", "0 FILE main.ldr\n0 name\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 3001.dat\n", "an LDraw model",
+       "LeoCAD");
+  says("a.ldr", "0 Untitled\n1 16 0 0 0 1 0 0 0 1 0 0 0 1 3001.dat\n", "an LDraw model", "LeoCAD");
   says("a.pdo", "version 2\n\x04\0"s, "a Pepakura file of another version", "Pepakura Designer");
+  // Blender's own files say who saved them; from 3.0 on they are packed.
+  CHECK(refusal("BLENDER-v304", "blend") ==
+        "3 model.blend was saved by Blender 3.4, and files up to 2.79 are read: open it in Blender and "
+        "export it as "
+        "glTF (.glb) or OBJ");
+  CHECK(refusal("BLENDER_v280", "blend").find("by Blender 2.80, and files up to 2.79") != std::string::npos);
+  CHECK(refusal("BLENDER17-01v0500", "blend").find("by Blender 5.0, and") != std::string::npos);
+  CHECK(refusal("\x28\xb5\x2f\xfd\0\0"s, "blend").find("by Blender 3.0 or later, and") != std::string::npos);
+  CHECK(refusal("BLENDER-v279", "blend").find("is a Blender file") != std::string::npos);
   // What the content says counts for more than the suffix.
   CHECK(refusal("\x89PNG\r\n\x1a\n\0\0"s, "fbx") == "3 model.fbx is no mesh but a PNG picture");
   CHECK(refusal("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "fbx").empty());
@@ -142,6 +163,11 @@ TEST_CASE("Messages are one line of valid UTF-8") {
   CHECK(printable("\xed\xa0\x80") == "\xef\xbf\xbd\xef\xbf\xbd\xef\xbf\xbd");  // a surrogate
   CHECK(printable("\xc0\x80").size() == 6);                                    // an overlong zero
   CHECK(printable("\xc2\x85") == "\xef\xbf\xbd");                              // next line
+  CHECK(printable("a\xef\xb7\x90") == "a\xef\xbf\xbd");                        // a noncharacter
+  CHECK(printable("a\xe2\x80\xae"
+                  "b") ==
+        "a\xef\xbf\xbd"
+        "b");  // would turn what follows around
   CHECK(in_quotes(std::string(39, 'a') + "\xc3\xbc" + "b") == '"' + std::string(39, 'a') + "...\"");
 }
 

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "mesh/file_writers.hpp"
 #include "reading.hpp"
 
 using namespace ridgecraft;
@@ -120,4 +121,40 @@ TEST_CASE("STL: refusals of ASCII files name the line") {
   CHECK(refusal(with("vertex 1 0 0", "vertex 1 0"), "stl").starts_with("3 "));
   CHECK(refusal(with("endloop", "endlop"), "stl").starts_with("3 model.stl, line 7: "));
   CHECK(refusal(with("outer", "inner"), "stl").starts_with("3 model.stl, line 3: "));
+}
+
+TEST_CASE("STL: attribute bytes are the colours that VisCAM or Magics write") {
+  const auto painted = [](const std::string& header, const std::vector<unsigned>& attributes) {
+    std::string bytes = header;
+    bytes.resize(80, ' ');
+    bytes += bytes4(static_cast<std::uint32_t>(attributes.size()));
+    for (const unsigned attribute : attributes) {
+      bytes += float_bytes({0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0}) + bytes2(attribute);
+    }
+    return parsed(bytes, "stl");
+  };
+  const auto colour = [](const Soup& soup, std::size_t facet) {
+    return soup.materials.at(soup.polygon_material.at(facet)).colour;
+  };
+  const mesh::Colour red{1, 0, 0};
+  const mesh::Colour blue{0, 0, 1};
+  // Bit 15 marks a colour, blue is in the lowest bits.
+  const Soup viscam = painted("VisCAM", {0xfc00, 0x801f, 0});
+  CHECK(colour(viscam, 0) == red);
+  CHECK(colour(viscam, 1) == blue);
+  CHECK(colour(viscam, 2) == std::nullopt);
+  // Magics has one for the whole, and bit 15 marks facets that have it; red is in the lowest bits.
+  const Soup magics = painted(std::string("COLOR=\x00\x00\xff\xff", 10) + " from Magics", {0x001f, 0x8000});
+  CHECK(colour(magics, 0) == red);
+  CHECK(colour(magics, 1) == blue);
+  // Numbers that some programs leave there are none.
+  CHECK(painted("export", {3, 0xffff, 0}).materials.empty());
+  CHECK(painted("export", {0, 0}).materials.empty());
+}
+
+TEST_CASE("STL: commas in numbers are named") {
+  CHECK(refusal("solid a\nfacet normal 0 0 1\nouter loop\nvertex -10,5 0 0\n", "stl") ==
+        "3 model.stl, line 4: a number is expected (numbers need a decimal point, not a comma: export it "
+        "again with "
+        "English number formats), not \"-10,5\"");
 }

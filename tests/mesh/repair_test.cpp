@@ -3,9 +3,11 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include "base/elementary.hpp"
 #include "base/error.hpp"
 #include "base/random.hpp"
 #include "mesh/mesh.hpp"
@@ -417,4 +419,53 @@ TEST_CASE("triangles in memory that mean nothing are refused in one sentence", "
   CHECK(triangles_refusal(tetra, {}) == "there are no faces");
   CHECK(triangles_refusal({}, {}) == "there are no faces");
   CHECK(triangles_refusal(tetra, {{0, 1, 1}}) == "no face has an area");
+}
+
+TEST_CASE("repair: of faces that are there twice the copy that looks outwards gives the colour") {
+  // A box whose sides were drawn from both sides, the two copies in any order: front orange, back blue.
+  const std::vector<std::vector<std::uint32_t>> sides{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  std::string obj =
+      "mtllib none\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 0 2\nv 4 0 2\nv 4 3 2\nv 0 3 2\nvt 0 0\nvt 1 0\n"
+      "vt 1 1\nvt 0 1\nvt 0.5 0.5\n";
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    for (const bool back : {i % 2 == 0, i % 2 != 0}) {
+      obj += back ? "usemtl back\nf" : "usemtl front\nf";
+      for (std::size_t k = 0; k < 4; ++k) {
+        const std::size_t corner = back ? 3 - k : k;
+        obj += " " + std::to_string(sides[i][corner] + 1) + "/" + std::to_string(back ? 5 : corner + 1);
+      }
+      obj += "\n";
+    }
+  }
+  const mesh::Model model =
+      mesh::read(mesh::ModelFile{.bytes = obj, .name = "box.obj", .title = "box", .folder = {}}, {}, {});
+  REQUIRE(model.surface.face_count() == 12);
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    CHECK(model.materials.at(model.material[f]).name == "front");
+    CHECK(model.texture[f][0] != Vec2{0.5, 0.5});
+    CHECK(model.texture[f][0] != model.texture[f][1]);
+  }
+}
+
+TEST_CASE("repair: star polygons are what they run around, and stars that share sides close") {
+  // A pentagram with corners on a circle: its area is that of ten triangles around the middle.
+  std::vector<Vec3> points;
+  for (int k = 0; k < 5; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 5.0;
+    points.push_back({elementary::cos(angle), elementary::sin(angle), 0.0});
+  }
+  const std::vector<std::vector<std::uint32_t>> star{{0, 2, 4, 1, 3}};
+  const mesh::Model model = mesh::repair(points, star, {}, {});
+  double area = 0.0;
+  for (const FaceId f : ids<FaceId>(model.surface.face_count())) {
+    area += model.surface.area(f);
+  }
+  CHECK(area == Approx(1.12256994));
+  CHECK(model.surface.vertex_count() == 11);
+  CHECK(model.repairs.count(RepairKind::crossed_polygons_rebuilt) == 1);
+  // Turned around it is the same.
+  const mesh::Model turned =
+      mesh::repair(points, std::vector<std::vector<std::uint32_t>>{{3, 1, 4, 2, 0}}, {}, {});
+  CHECK(turned.surface.vertex_count() == 11);
 }

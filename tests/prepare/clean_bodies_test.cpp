@@ -171,7 +171,7 @@ TEST_CASE("a model with too many faces loses details that would be hard to fold,
   CHECK(ready(others, 300.0).left_out.small == 0);
 }
 
-TEST_CASE("a pane in a hole stays, however small the hole; one right before a wall goes") {
+TEST_CASE("a pane in a hole stays, however small the hole, and one right before a wall goes") {
   // A wall of 150 x 100 with a slot of 5 x 30: four boxes around it.
   Bodies bodies;
   bodies.add_box({0, 0, 0}, {70, 100, 10});
@@ -197,4 +197,35 @@ TEST_CASE("a square bar is as narrow however it is turned about itself") {
     Model model = bodies.model();
     CHECK(ready(model, 150.0).left_out.small == 1);
   }
+}
+
+TEST_CASE("what a detail held moves to what is near, or goes with it, unless it is large") {
+  struct Case {
+    double gap, extent;  // of the post that goes, of the body on it
+    bool moves, goes;
+  };
+  for (const Case& c : {Case{8, 10, true, false}, Case{20, 10, false, true}, Case{20, 60, false, false}}) {
+    Bodies bodies;
+    bodies.add_box({0, 0, 0}, {150, 100, 10});
+    bodies.add_box({50, 50, 10}, {52, 52, 10 + c.gap});
+    bodies.add_box({50, 50, 10 + c.gap}, {50 + c.extent, 52 + c.extent, 10 + c.gap + c.extent});
+    Model model = bodies.model();
+    const CleanupReport report = ready(model, 150.0);
+    CHECK(report.left_out.small == 1);
+    CHECK(report.left_out.loose == (c.goes ? 1U : 0U));
+    CHECK(model.surface.component_count() == (c.goes ? 1U : 2U));
+    const double top = c.goes ? 10.0 : c.moves ? 10.0 + c.extent : 10.0 + c.gap + c.extent;
+    CHECK(model.surface.bounds().high.z == Approx(top));
+  }
+}
+
+TEST_CASE("what nothing held from the start stays where it is") {
+  Bodies bodies = wall();
+  bodies.add_box({60, 20, 10}, {61, 21, 11});  // a crumb, which goes
+  bodies.add_box({20, 20, 30}, {30, 30, 40});
+  Model model = bodies.model();
+  const CleanupReport report = ready(model, 150.0);
+  CHECK(report.left_out.small == 1);
+  CHECK(report.left_out.loose == 0);
+  CHECK(model.surface.bounds().high.z == 40.0);
 }

@@ -150,7 +150,7 @@ TEST_CASE("bevels go, and the walls beside them meet at right angles", "[walls]"
   CHECK(size.x == Approx(120.0).margin(1e-6));
   CHECK(size.y == Approx(80.0).margin(1e-6));
   CHECK(size.z == Approx(50.0).margin(1e-6));
-  CHECK(p.simplified.short_edges_after == 0.0);
+  CHECK(p.work.short_edges == 0.0);
   // A corner moves from the middle of three bevels to where the walls meet.
   CHECK(p.simplified.deviation_mm == Approx(1.5 * 2.0 / std::sqrt(3.0)).margin(0.01));
 }
@@ -165,17 +165,6 @@ TEST_CASE("something round keeps its caps flat and its size", "[walls]") {
   }
   CHECK(caps > 0.97 * 2.0 * std::numbers::pi * 1600.0);
   CHECK(p.model.surface.bounds().size().z == Approx(60.0).margin(1e-6));
-}
-
-TEST_CASE("edges across a plate make no model too fine, as nothing lengthens them", "[walls]") {
-  // Sides of 8 mm around a plate of 2.5 mm.
-  const Prepared plate = prepared(prism(40, 51.0, 2.5));
-  CHECK(plate.simplified.faces_after == plate.simplified.faces_before);
-  CHECK(plate.simplified.short_edges_before < 0.1);
-  CHECK_FALSE(plate.simplified.still_too_fine);
-  // Nobody folds a rim of half a millimetre.
-  const Prepared foil = prepared(prism(40, 51.0, 0.5));
-  CHECK(foil.simplified.still_too_fine);
 }
 
 TEST_CASE("a component that can be folded isn't touched by what others need", "[walls]") {
@@ -246,16 +235,16 @@ TEST_CASE("small holes through walls are closed", "[walls]") {
   prepare::remesh_panels(model, {});
   REQUIRE(test::euler(model.surface) == 0);
   mesh::Model closed = model;
-  CHECK(prepare::trim_reliefs(closed, {}, {3.0}, {}) == 1);
+  CHECK(prepare::trim_reliefs(closed, {}, 3.0, {}) == 1);
   CHECK(test::euler(closed.surface) == 2);
   CHECK(closed.surface.face_count() == 12);
   test::check_invariants(closed.surface);
   // Deeper than the surface may move, or wider than a short edge, it stays.
   mesh::Model deep = model;
-  CHECK(prepare::trim_reliefs(deep, {}, {2.0}, {}) == 0);
+  CHECK(prepare::trim_reliefs(deep, {}, 2.0, {}) == 0);
   SimplifyOptions narrow;
   narrow.short_edge_mm = 4.0;
-  CHECK(prepare::trim_reliefs(deep, narrow, {3.0}, {}) == 0);
+  CHECK(prepare::trim_reliefs(deep, narrow, 3.0, {}) == 0);
   CHECK(deep.surface.face_count() == model.surface.face_count());
 }
 
@@ -286,8 +275,7 @@ TEST_CASE("a wall that grooves run across is one, however narrow what they leave
     mesh::Model model = test::repaired(polygons.soup);
     prepare::remesh_panels(model, {});
     const mesh::Surface& surface = model.surface;
-    const prepare::Walls walls =
-        prepare::find_walls(surface, prepare::find_panels(surface), 6.0, prepare::Slats::are_none);
+    const prepare::Walls walls = prepare::find_walls(surface, prepare::find_panels(surface), 6.0);
     std::size_t count = 0;
     for (const FaceId f : ids<FaceId>(surface.face_count())) {
       count += surface.normal(f).z > 0.999 && walls.wall(f.value()) != prepare::Walls::none ? 1U : 0U;
@@ -327,10 +315,10 @@ TEST_CASE("a share that is divided by components and joined again is the same mo
 TEST_CASE("a model gets the size at which it can be folded", "[size]") {
   prepare::SizeOptions size;
   size.adapts = true;
-  // A bundle of long rods with 2 mm wide sides at 150 mm: nothing helps but size.
+  // A bundle of long rods with 3 mm wide sides at 150 mm: nothing helps but size.
   mesh::Soup rods;
   for (int i = 0; i < 5; ++i) {
-    append(rods, prism(3, 1.0, 150.0), {0.0, 6.0 * i, 0.0});
+    append(rods, prism(3, 1.7, 150.0), {0.0, 6.0 * i, 0.0});
   }
   const Prepared larger = prepare::prepare(test::repaired(rods), size, {}, page, {});
   CHECK(larger.size_reason == prepare::SizeReason::folds);
@@ -363,22 +351,22 @@ TEST_CASE("a model gets the size at which it can be folded", "[size]") {
   CHECK(smaller.model.surface.bounds().largest_extent() < 150.0);
 }
 
-TEST_CASE("a model whose tabs and numbers would have no room gets a larger size", "[size]") {
-  // Two tiles so thin that the edges around them are shorter than 6 mm at 150 mm; everything can be folded.
-  mesh::Soup tiles = prism(6, 8.0, 4.9);
-  append(tiles, prism(6, 8.0, 4.9), {134.0, 0.0, 0.0});
+TEST_CASE("a model with too many short edges gets a larger size", "[size]") {
+  // Two tiles whose edges are shorter than 5 mm at 150 mm; everything is as its maker made it.
+  mesh::Soup tiles = prism(6, 8.0, 4.4);
+  append(tiles, prism(6, 8.0, 4.4), {134.0, 0.0, 0.0});
   prepare::SizeOptions size;
   size.adapts = true;
   const Prepared larger = prepare::prepare(test::repaired(tiles), size, {}, page, {});
-  CHECK(larger.size_reason == prepare::SizeReason::room);
+  CHECK(larger.size_reason == prepare::SizeReason::folds);
   CHECK(larger.model.surface.bounds().largest_extent() == Approx(190.0));
-  CHECK(larger.simplified.cramped_fraction == 0.0);
+  CHECK(larger.work.short_edges == 0.0);
   // Not beyond the limits, though: neither that of the size ...
   size.largest_mm = 180.0;
   const Prepared usual = prepare::prepare(test::repaired(tiles), size, {}, page, {});
   CHECK(usual.size_reason == prepare::SizeReason::none);
   CHECK(usual.model.surface.bounds().largest_extent() == Approx(150.0));
-  CHECK(usual.simplified.cramped_fraction > 0.1);
+  CHECK(usual.work.short_share() > 0.1);
   // ... nor that of the pages.
   size.largest_mm = 400.0;
   size.smallest_mm = 150.0;

@@ -189,3 +189,13 @@ def test_the_stub_names_everything():
     assert set(told_by_stub) == {name for name in dir(core) if not name.startswith("_")}
     assert told_by_stub["Nets"] == {name for name in dir(core.Nets) if not name.startswith("_")}
     assert told_by_stub["Nets"] | told_by_stub["Paper"] == {n for n in dir(core.Paper) if not n.startswith("_")}
+
+
+def test_a_project_opens_to_the_bytes_of_the_program(tmp_path):
+    saved = tmp_path / "house.ridgecraft"
+    told(SAMPLES / "house.obj", "--size", "140mm", "--paper", "A5", "--seed", "3", "-o", saved, "-o", tmp_path / "house.fold")
+    made = ridgecraft.open_project(saved)
+    assert made.fold == (tmp_path / "house.fold").read_text()
+    (tmp_path / "half.ridgecraft").write_bytes(saved.read_bytes()[:900])
+    with pytest.raises(ridgecraft.UnreadableInput, match="half.ridgecraft is cut off or damaged"):
+        ridgecraft.open_project(tmp_path / "half.ridgecraft")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Parts and hulls: what the program finds, in arrays."""
 
+import pickle
 import subprocess
 import sys
 
@@ -57,16 +58,25 @@ def test_hulls_are_convex_and_hold_their_parts(cross):
     vertices, faces = cross
     labels = ridgecraft.segment(vertices, faces)
     hulls = ridgecraft.hulls(vertices, faces)
-    assert len(hulls) == labels.max() + 1
-    for part, (points, triangles) in enumerate(hulls):
+    # The middle of the cross is in no part's hull: it was filled, and two arms with it are one bar.
+    assert len(hulls) == labels.max()
+    held = np.zeros(labels.max() + 1, bool)
+    middle = False
+    for points, triangles in hulls:
         assert triangles.dtype == np.int32
         assert points.dtype == np.float64
         assert volume(points, triangles) > 0.9
         normals = np.cross(points[triangles[:, 1]] - points[triangles[:, 0]],
                            points[triangles[:, 2]] - points[triangles[:, 0]])
-        for inside in (points, vertices[np.unique(faces[labels == part])]):
+
+        def holds(inside):
             heights = np.einsum("tpi,ti->tp", inside[None] - points[triangles[:, 0]][:, None], normals)
-            assert heights.max() < 1e-9
+            return heights.max() < 1e-9
+
+        assert holds(points)
+        held |= [holds(vertices[np.unique(faces[labels == part])]) for part in range(len(held))]
+        middle |= holds(np.array([[0.5, 0.5, 0.5]]))
+    assert held.all() and middle
 
 
 def test_hulls_are_those_of_the_program(tmp_path):
@@ -86,6 +96,50 @@ def test_hulls_have_no_more_vertices_than_asked_for():
     limited = ridgecraft.hulls(vertices, faces, max_vertices=12)
     assert max(len(points) for points, _ in limited) <= 12
     assert len(limited) == len(ridgecraft.hulls(vertices, faces))
+
+
+def test_there_are_no_more_hulls_than_asked_for_and_they_hold_everything(cross):
+    vertices, faces = cross
+    apart = np.vstack([vertices, np.asarray(vertices) + [9.0, 0.0, 0.0]])
+    both = np.vstack([faces, np.asarray(faces) + len(vertices)])
+    for limit in (1, 2, 3):
+        hulls = ridgecraft.hulls(apart, both, max_hulls=limit, max_vertices=16)
+        assert len(hulls) <= limit
+        outside = np.full(len(apart), np.inf)
+        for points, triangles in hulls:
+            assert len(points) <= 16
+            normals = np.cross(points[triangles[:, 1]] - points[triangles[:, 0]],
+                               points[triangles[:, 2]] - points[triangles[:, 0]])
+            normals /= np.linalg.norm(normals, axis=1)[:, None]
+            heights = apart @ normals.T - np.einsum("ti,ti->t", normals, points[triangles[:, 0]])
+            outside = np.minimum(outside, heights.max(axis=1))
+        assert outside.max() < 1e-9
+
+
+def test_hulls_say_how_well_they_fit_and_pickle(cross):
+    hulls = ridgecraft.hulls(*cross)
+    assert hulls.uncovered <= 1e-3
+    assert hulls.volume_ratio == pytest.approx(1.0, abs=0.02)
+    again = pickle.loads(pickle.dumps(hulls))
+    assert again.uncovered == hulls.uncovered and again.volume_ratio == hulls.volume_ratio
+    assert all(np.array_equal(a, b) for x, y in zip(hulls, again) for a, b in zip(x, y))
+    sheet = ridgecraft.hulls([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    assert sheet.uncovered is None and sheet.volume_ratio is None
+
+
+@pytest.mark.parametrize("function", [ridgecraft.segment, ridgecraft.hulls, ridgecraft.unfold, ridgecraft.run])
+def test_numbers_that_cannot_be_are_told_of_without_the_mesh(cross, function):
+    for wrong in ({"seed": -1}, {"seed": "x"}, {"threads": -1}, {"time_limit": -1.0}, {"time_limit": "x"}):
+        with pytest.raises(ridgecraft.UsageError) as raised:
+            function(*cross, **wrong)
+        assert len(str(raised.value)) < 100
+
+
+def test_parts_and_hulls_are_given_up_when_the_time_has_passed():
+    vertices, faces = ridgecraft.read(SAMPLES / "dinosaur.obj")
+    for function in (ridgecraft.segment, ridgecraft.hulls):
+        with pytest.raises(ridgecraft.OutOfTime):
+            function(vertices, faces, effort=3, time_limit=1e-3)
 
 
 def test_coacd_s_form(cross):

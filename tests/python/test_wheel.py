@@ -34,7 +34,7 @@ def test_a_wheel_is_built_and_works(tmp_path):
     (wheel,) = tmp_path.glob(f"ridgecraft-{ridgecraft.__version__}-*.whl")
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(tmp_path / "site")
-    assert {"__init__.py", "_core.pyi", "py.typed"} < {p.name for p in (tmp_path / "site" / "ridgecraft").iterdir()}
+    assert {"LICENSE", "__init__.py", "_core.pyi", "py.typed"} < {p.name for p in (tmp_path / "site" / "ridgecraft").iterdir()}
     told = subprocess.run(
         [sys.executable, "-c", "import ridgecraft; print(ridgecraft.__file__, len(ridgecraft.hulls("
          "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])))"],

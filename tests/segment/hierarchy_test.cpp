@@ -3,10 +3,12 @@
 #include "segment/hierarchy.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include <catch2/catch.hpp>
 
 #include "base/context.hpp"
+#include "mesh/mesh.hpp"
 #include "support/concave_shapes.hpp"
 #include "support/shapes.hpp"
 
@@ -45,6 +47,17 @@ mesh::Surface table() {
 }
 
 }  // namespace
+
+TEST_CASE("Who asks for more parts is never offered fewer") {
+  const mesh::Model whale = mesh::read(std::string(RIDGECRAFT_SOURCE_DIR) + "/samples/whale.obj",
+                                       {.collapse_flat_faces = false}, {});
+  std::size_t before = 0;
+  for (const std::size_t count : {1U, 9U, 10U, 12U, 40U}) {
+    const auto h = segment::find_hierarchy(whale.surface, whale.polygon.items(), count, Context{});
+    CHECK(h.leaves >= before);
+    before = h.leaves;
+  }
+}
 
 TEST_CASE("Every number of parts between components and leaves is there, and each is nested in the next") {
   for (const mesh::Surface& surface :

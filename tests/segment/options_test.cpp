@@ -120,7 +120,7 @@ segment::Segmentation read_as(const mesh::Surface& surface, Reading reading) {
 
 }  // namespace
 
-TEST_CASE("Literally, what a cut leaves open is concave; with jumps it is not") {
+TEST_CASE("Literally, what a cut leaves open is concave, but with jumps it is not") {
   // A ball with spikes: cutting a spike off leaves a ring, at which the literal reading peels on.
   const mesh::Surface surface = test::spiked_sphere(6, 0.02, 80, 40);
   const auto literal = read_as(surface, Reading::literal);

@@ -22,6 +22,8 @@ namespace ridgecraft {
 namespace {
 
 using test::tolerance;
+/// How far openings may be, whatever the tolerance.
+constexpr double opening_scale = 0.1;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -277,28 +279,38 @@ class SlowMeasure {
     return depth;
   }
 
-  /// Beside an opening: a facet that the surface doesn't turn its back on, of a hull eight tolerances thick.
+  /// Beside an opening: a facet that the surface doesn't turn its back on, of a hull eight times as thick as
+  /// an opening may be far.
   double depth_beside_opening(std::uint32_t v) {
     double depth = INFINITY;
-    for (const auto& [a, b, c] : hull_) {
-      const Vec3 n = normalized(cross(points_[b] - points_[a], points_[c] - points_[a]));
-      double thickness = 0.0;
-      for (const std::uint32_t w : vertices_) {
-        thickness = std::fmax(thickness, dot(n, points_[a] - points_[w]));
+    for (std::size_t i = 0; i < hull_.size(); ++i) {
+      if (thickness_.size() == i) {
+        thickness_.push_back(thickness(i));
       }
-      if (dot(n, normals_[v]) > -0.3 && thickness >= 8.0 * tolerance) {
-        depth = std::fmin(depth, std::fmax(0.0, dot(n, points_[a] - points_[v])));
+      const Vec3 n = normal(i);
+      if (dot(n, normals_[v]) > -0.3 && thickness_[i] >= 8.0 * opening_scale) {
+        depth = std::fmin(depth, std::fmax(0.0, dot(n, points_[hull_[i][0]] - points_[v])));
       }
     }
     return depth;
   }
+  [[nodiscard]] Vec3 normal(std::size_t i) const {
+    const auto& [a, b, c] = hull_[i];
+    return normalized(cross(points_[b] - points_[a], points_[c] - points_[a]));
+  }
+  [[nodiscard]] double thickness(std::size_t i) const {
+    double thickness = 0.0;
+    for (const std::uint32_t w : vertices_) {
+      thickness = std::fmax(thickness, dot(normal(i), points_[hull_[i][0]] - points_[w]));
+    }
+    return thickness;
+  }
 
-  /// Only depths above the tolerance are looked at a second time.
   double hull_depth(std::uint32_t v) {
     const double along = depth_along_normal(v);
-    const double beside = along > tolerance ? depth_beside_opening(v) : infinite;
-    openings_ += beside <= tolerance ? 1U : 0U;
-    return beside <= tolerance ? beside : along;
+    const double beside = depth_beside_opening(v);
+    openings_ += beside <= opening_scale && beside < along ? 1U : 0U;
+    return beside <= opening_scale ? std::fmin(beside, along) : along;
   }
 
   double valley_concavity(const std::vector<std::uint32_t>& path) {
@@ -312,8 +324,7 @@ class SlowMeasure {
     segment::chain_concavity(chain, depth);
     double greatest = 0.0;
     for (std::size_t i = 0; i < path.size(); ++i) {
-      greatest =
-          std::max(greatest, depth[i] > tolerance ? std::fmin(depth[i], hull_depth(path[i])) : depth[i]);
+      greatest = std::max(greatest, std::fmin(depth[i], hull_depth(path[i])));
     }
     return greatest;
   }
@@ -321,6 +332,7 @@ class SlowMeasure {
   const mesh::Surface& surface_;
   const segment::Segmentation& segmentation_;
   PartId part_;
+  std::vector<double> thickness_;  ///< of the hull's triangles, as far as it was asked for
   std::size_t openings_ = 0;
   std::vector<Vec3> points_;
   std::vector<std::uint32_t> vertices_;
@@ -371,6 +383,21 @@ TEST_CASE("What is reported is what a slow and independent measurement finds") {
   }
   CHECK(parts > 12);
   CHECK(openings > 0);
+}
+
+TEST_CASE("The concavity of a part is its own, whatever tolerance it was found with") {
+  for (const mesh::Surface& surface : {test::uneven_cup(), test::torus(1.0, 0.3, 12, 32)}) {
+    std::vector<double> known;
+    for (const double limit : {2.0, 0.5, 0.2, 0.1, 0.07}) {
+      const auto s = segment::segment(surface, {}, {limit}, Context{});
+      CHECK(s.max_concavity() <= limit);
+      if (s.parts.size() == 1) {
+        known.push_back(s.max_concavity());
+        CHECK(known.back() == Approx(known.front()).epsilon(0.01));
+      }
+    }
+    CHECK(known.size() >= 2);
+  }
 }
 
 }  // namespace ridgecraft

@@ -296,7 +296,7 @@ TEST_CASE("edits are text and come back from it", "[session]") {
 
 TEST_CASE("edits of a paper that goes on with other tabs are told with those that follow",
           "[session][slow]") {
-  const Project start = session::open(sample("mug.obj"));
+  const Project start = session::open(sample("lighthouse.obj"));
   const Project cut = done(start, {Cut{edges_used(start, unfold::EdgeUse::fold).front()}});
   unfold::TabOptions lower = start.start->options.tabs;
   lower.height_mm *= 0.5;
@@ -309,4 +309,32 @@ TEST_CASE("edits of a paper that goes on with other tabs are told with those tha
   const Project twice = done(on, {Cut{*next}});
   CHECK(twice.now.edits.starts_with(cut.now.edits + "\npack\n"));
   CHECK(bytes_of(saved(twice, job::with_tabs(*start.start, lower, {})).now) == bytes_of(twice.now));
+}
+
+TEST_CASE("one tab gets a height and an angle of its own, or a second one", "[session]") {
+  const Project start = session::open(cube(3));
+  std::size_t shaped = 0;
+  for (const unfold::Join& join : start.now.nets.joins) {
+    if (!join.tab.valid()) {
+      continue;
+    }
+    const CornerId side = start.now.nets.tabs[join.tab].side;
+    const mesh::Surface& surface = surface_of(start);
+    const session::Edge edge{surface.vertex(side), surface.vertex(mesh::next(side))};
+    const Project high = done(start, {session::TabShape{edge, 8.0, 80.0}});
+    const auto now = std::find_if(high.now.nets.joins.begin(), high.now.nets.joins.end(),
+                                  [&](const unfold::Join& j) { return j.edge == join.edge; });
+    REQUIRE(now != high.now.nets.joins.end());
+    const std::vector<Vec2>& polygon = high.now.nets.tabs[now->tab].polygon;
+    const Vec2 base = polygon[1] - polygon[0];
+    const double height = std::abs(cross(base, polygon[2] - polygon[0])) / length(base);
+    shaped += height > 7.9 && height < 8.1 ? 1U : 0U;
+    CHECK(
+        session::steps_of(session::text_of(std::vector<session::Edit>{session::TabShape{edge, 8.0, 80.0}})) ==
+        std::vector<std::vector<session::Edit>>{{session::TabShape{edge, 8.0, 80.0}}});
+    const Project both = done(start, {session::BothTabs{edge}});
+    CHECK(both.now.nets.tabs.size() >= start.now.nets.tabs.size());
+    CHECK(bytes_of(saved(high).now) == bytes_of(high.now));
+  }
+  CHECK(shaped > 0);
 }

@@ -175,14 +175,15 @@ TEST_CASE("a place without room is refused with both pieces", "[session]") {
   Place onto = moved(start, PieceId(1), {});
   onto.at = on_page(start, start.now.nets.pieces[PieceId(0)].faces.front())[0];
   const session::Refusal refusal = refused(start, {onto});
-  CHECK(english(refusal.why).starts_with("there piece B would lie on piece A"));
+  const std::string a = start.now.nets.pieces[PieceId(0)].name;
+  const std::string b = start.now.nets.pieces[PieceId(1)].name;
+  CHECK(english(refusal.why).starts_with("there piece " + b + " would lie on piece " + a));
   CHECK(refusal.faces.size() == surface_of(start).face_count());
   const auto told = session::why_not(start, std::vector<Edit>{onto}, {});
   REQUIRE(told);
   CHECK(told->why == refusal.why);
   CHECK_FALSE(session::why_not(start, std::vector<Edit>{moved(start, PieceId(1), {})}, {}));
-  CHECK(refused(start, {moved(start, PieceId(1), {500.0, 0.0})}).why ==
-        Message("beyond_sheet", {{"a", "B"}}));
+  CHECK(refused(start, {moved(start, PieceId(1), {500.0, 0.0})}).why == Message("beyond_sheet", {{"a", b}}));
   Place far = moved(start, PieceId(1), {});
   far.page = 2;
   CHECK(refused(start, {far}).why.code == "no_such_page");
@@ -381,7 +382,7 @@ TEST_CASE("what a file asks of tabs by numbers goes with their edges", "[session
       renumbered += tab_at(*cut, last.edge).second != last.number ? 1U : 0U;
     }
   }
-  CHECK(renumbered > 0);
+  CHECK(renumbered == 0);
 }
 
 TEST_CASE("places, pins and nets at random leave sound pages, and every state comes back",

@@ -152,8 +152,7 @@ TEST_CASE("Points without volume become thin bodies around them") {
   const std::vector<Vec3> line{{0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}};
   const std::vector<Vec3> square{{0.0, 0.0, 0.3}, {1.0, 0.0, 0.3}, {1.0, 1.0, 0.3}, {0.0, 1.0, 0.3}};
   for (const auto& points : {one, line, square}) {
-    solid::Body body = solid::convex_hull(points, 1e-4);
-    solid::grow_until_enclosing(body, points);
+    const solid::Body body = solid::convex_hull(points, 1e-4);
     CHECK(test::closed_and_manifold(body));
     CHECK(solid::encloses(body, points));
     CHECK(solid::mass_properties(body).volume > 0.0);
@@ -182,25 +181,6 @@ TEST_CASE("OBJ of hulls has an object each and every bit") {
   CHECK(text.find("\no hull_2\nv ") != std::string::npos);
   CHECK(text.find("0.3333333333333333\n") != std::string::npos);
   CHECK(text.find("f 5 ") + text.find(" 8") > 0);
-}
-
-TEST_CASE("check_urdf accepts a model of hulls") {
-  if (std::system("command -v check_urdf > /dev/null") != 0) {
-    WARN("skipped: check_urdf isn't installed");
-    return;
-  }
-  const test::TemporaryFolder folder;
-  const mesh::Surface surface = table();
-  const auto parts = segment::segment(surface, {}, {}, Context{});
-  const auto bodies = solid::part_hulls(surface, parts, {}, Context{});
-  solid::UrdfOptions options{
-      .name = "a \"table\" <&>", .comment = "two -- dashes", .visual_file = "table.obj", .mesh_files = {}};
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    options.mesh_files.push_back("table-" + std::to_string(i + 1) + ".obj");
-  }
-  test::write_bytes(folder / "table.urdf", solid::write_urdf(bodies, options));
-  const std::string command = "check_urdf '" + (folder / "table.urdf").string() + "' > /dev/null";
-  CHECK(std::system(command.c_str()) == 0);
 }
 
 }  // namespace ridgecraft

@@ -19,7 +19,7 @@ TEST_CASE("Hulls dropped on a plane come to rest on it") {
   const auto parts = segment::segment(l, {}, {}, Context{});
   REQUIRE(parts.parts.size() == 2);
   const auto bodies = solid::part_hulls(l, parts, {.max_vertices = 64}, Context{});
-  const solid::MassProperties mass = solid::mass_properties(bodies);
+  const solid::MassProperties mass = *solid::mass_properties(l, Context{});
 
   test::PlaneWorld fall;
   btCompoundShape compound;

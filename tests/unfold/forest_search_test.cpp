@@ -133,6 +133,28 @@ std::size_t overlaps_by_brute_force(const Forest& forest) {
 
 }  // namespace
 
+TEST_CASE("the share of seams without a tab is that of the tabs as they are", "[forest]") {
+  const mesh::Surface surface = test::scaled(test::cube(), 40.0);
+  const prepare::Panels panels = test::flat_panels(surface);
+  const Patch patch = test::whole_patch(surface, panels);
+  Random random(1);
+  const Folds tree = unfold::start_tree(patch, random);
+  const Folds all_apart(patch.frozen.begin(), patch.frozen.end());
+  const unfold::Room room;
+  const Weights weights;
+  const auto share = [&](const unfold::TabOptions& tabs, const Folds& folds) {
+    return unfold::bare_share({surface, panels, patch, {}, tabs, room, weights}, folds);
+  };
+  CHECK(share({}, tree) == 0.0);
+  CHECK(share({}, all_apart) == 0.0);
+  unfold::TabOptions options;
+  options.wanted = false;
+  CHECK(share(options, tree) == 0.0);
+  const mesh::Surface small = test::scaled(test::cube(), 1.0);
+  const Patch crumb = test::whole_patch(small, panels);
+  CHECK(unfold::bare_share({small, panels, crumb, {}, {}, room, weights}, tree) == 1.0);
+}
+
 TEST_CASE("a forest lies after its moves as if it were laid out again, and each move has an inverse",
           "[forest]") {
   for (const std::size_t trees : {1U, 2U, 6U}) {
@@ -275,21 +297,17 @@ TEST_CASE("the search finds cheaper forests without overlap, the same for a seed
   const unfold::Room room{unfold::Sheet{200.0, 280.0}, 5.0, 120};
   const unfold::TabOptions tabs;
   const Weights weights;
-  for (const bool pieces_change : {false, true}) {
-    const Example example(21, 4);
-    const unfold::ForestProblem problem = example.problem(tabs, room, weights);
-    unfold::SearchRules rules = unfold::rules_for(300.0, example.patch.size());
-    rules.pieces_change = pieces_change;
-    const Folds found = unfold::search_forest(problem, example.folds, rules, 7, Context());
-    CHECK(found == unfold::search_forest(problem, example.folds, rules, 7, Context()));
-    const unfold::Layout layout = unfold::lay_out(example.patch, found);
-    CHECK((pieces_change || layout.faces.size() == 4));
-    CHECK(unfold::find_overlaps(layout, tolerance).empty());
-    CHECK(unfold::all_fit(example.patch, found, room));
-    const std::optional<double> cost = unfold::exact_cost(problem, found);
-    REQUIRE(cost);
-    CHECK(*cost < 0.95 * unfold::exact_cost(problem, example.folds).value_or(HUGE_VAL));
-  }
+  const Example example(21, 4);
+  const unfold::ForestProblem problem = example.problem(tabs, room, weights);
+  const unfold::SearchRules rules = unfold::rules_for(300.0, example.patch.size());
+  const Folds found = unfold::search_forest(problem, example.folds, rules, 7, Context());
+  CHECK(found == unfold::search_forest(problem, example.folds, rules, 7, Context()));
+  const unfold::Layout layout = unfold::lay_out(example.patch, found);
+  CHECK(unfold::find_overlaps(layout, tolerance).empty());
+  CHECK(unfold::all_fit(example.patch, found, room));
+  const std::optional<double> cost = unfold::exact_cost(problem, found);
+  REQUIRE(cost);
+  CHECK(*cost < 0.95 * unfold::exact_cost(problem, example.folds).value_or(HUGE_VAL));
 }
 
 TEST_CASE("a high price of pieces joins them, a high price of outlines splits them", "[forest][energy]") {
@@ -321,7 +339,9 @@ TEST_CASE("edges that are mirror images are cut together", "[forest][energy]") {
     return std::pair(example.surface.point(example.surface.vertex(c)),
                      example.surface.point(example.surface.vertex(mesh::next(c))));
   };
-  std::vector<std::uint32_t> mirror(patch.twin.size(), no_index);
+  std::vector<unfold::SideImages> images(1);
+  std::vector<std::uint32_t>& mirror = images.front().side;
+  mirror.assign(patch.twin.size(), no_index);
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const auto [a, b] = ends(side);
     for (std::uint32_t other = 0; other < patch.twin.size(); ++other) {
@@ -344,7 +364,7 @@ TEST_CASE("edges that are mirror images are cut together", "[forest][energy]") {
   const unfold::TabOptions tabs;
   const Weights weights;
   unfold::ForestProblem problem = example.problem(tabs, anywhere, weights);
-  problem.mirror = mirror;
+  problem.images = images;
   const Folds found =
       unfold::search_forest(problem, example.folds, unfold::rules_for(800.0, patch.size()), 7, Context());
   CHECK(uneven(found) < 0.4 * uneven(example.folds));

@@ -57,7 +57,12 @@ std::size_t count(const EdgeConstraints& constraints, EdgeConstraint constraint)
 }
 
 EdgeConstraints kept(const mesh::Surface& surface, const EdgeConstraints& constraints = {}) {
-  return unfold::with_bands_kept(surface, prepare::find_panels(surface), {}, constraints, Weights());
+  unfold::Options options;
+  options.constraints = constraints;
+  const prepare::Panels panels = prepare::find_panels(surface);
+  const IdVector<FaceId, PartId> part = test::one_part(surface);
+  return unfold::with_bands_kept({surface, panels, part, options},
+                                 unfold::find_symmetry(surface, Weights(), Context()));
 }
 
 /// Per band of a surface, how many of its rungs are cut in its nets.
@@ -100,7 +105,8 @@ TEST_CASE("strips are kept however large the model is and however it lies", "[ba
   for (const FaceId f : ids<FaceId>(vase.face_count())) {
     faces.push_back(vase.vertices(f));
   }
-  CHECK(count(kept(mesh::Surface(std::move(points), std::move(faces))), EdgeConstraint::band) == 3 * 15);
+  const mesh::Surface surface(std::move(points), std::move(faces));
+  CHECK(count(kept(surface), EdgeConstraint::band) == 3 * 15);
 }
 
 TEST_CASE("narrow rings, zigzags and ragged strips stay free", "[bands]") {
@@ -125,10 +131,11 @@ TEST_CASE("a constraint for a rung, or a border of labels across a wall, leaves 
     CHECK(count(both, EdgeConstraint::band) == (constraint == EdgeConstraint::cut ? 7 : 6));
   }
   const prepare::Panels panels = prepare::find_panels(tube);
-  std::vector<std::uint32_t> labels;
+  unfold::Options options;
   for (const FaceId f : ids<FaceId>(tube.face_count())) {
     const auto [a, b, c] = tube.vertices(f);
-    labels.push_back((tube.point(a) + tube.point(b) + tube.point(c)).x > 0.0 ? 1 : 0);
+    options.labels.push_back((tube.point(a) + tube.point(b) + tube.point(c)).x > 0.0 ? 1 : 0);
   }
-  CHECK(count(unfold::with_bands_kept(tube, panels, labels, {}, Weights()), EdgeConstraint::band) == 0);
+  const IdVector<FaceId, PartId> part = test::one_part(tube);
+  CHECK(count(unfold::with_bands_kept({tube, panels, part, options}, {}), EdgeConstraint::band) == 0);
 }

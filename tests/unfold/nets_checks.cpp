@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "unfold/net/chains.hpp"
+
 namespace ridgecraft::test {
 namespace {
 
@@ -75,11 +77,47 @@ void check_faces(const mesh::Surface& surface, const Nets& nets, Faults& faults)
   }
 }
 
+/// The cut that follows a side around its piece, found without the outline's code: over the folds at its end.
+CornerId following(const mesh::Surface& surface, const Nets& nets, CornerId side) {
+  CornerId next = mesh::next(side);
+  while (nets.use[surface.edge(next)] == EdgeUse::fold) {
+    next = mesh::next(surface.twin(next));
+  }
+  return next;
+}
+
+/// Each join in one chain; a chain is the same edges in a row on both outlines, one way round on the one and
+/// the other way round on the other.
+void check_chains(const mesh::Surface& surface, const Nets& nets, Faults& faults) {
+  std::set<JoinId> seen;
+  std::uint32_t number = 0;
+  for (const unfold::Chain& chain : unfold::chains_of(surface, nets)) {
+    faults.expect(chain.number == ++number, "chains not numbered from 1");
+    faults.expect(!chain.joins.empty() && chain.joins.size() == chain.sides.size(), "chain without joins");
+    for (std::size_t i = 0; i < chain.joins.size(); ++i) {
+      const unfold::Join& join = nets.joins[chain.joins[i]];
+      const CornerId side = chain.sides[i];
+      faults.expect(seen.insert(chain.joins[i]).second, "join in two chains");
+      faults.expect(join.number == chain.number, "join has another number than its chain");
+      faults.expect(surface.edge(side) == join.edge, "side of another join");
+      faults.expect(nets.piece[mesh::face_of(side)] == chain.pieces[0] &&
+                        nets.piece[mesh::face_of(surface.twin(side))] == chain.pieces[1],
+                    "chain between other pieces");
+      faults.expect(i == 0 || chain.joins[i - 1].value() + 1 == chain.joins[i].value(),
+                    "joins of a chain not in a row");
+      faults.expect(
+          i == 0 || (following(surface, nets, chain.sides[i - 1]) == side &&
+                     following(surface, nets, surface.twin(side)) == surface.twin(chain.sides[i - 1])),
+          "edges of a chain don't follow each other on both pieces");
+    }
+  }
+  faults.expect(seen.size() == nets.joins.size(), "join in no chain");
+}
+
 void check_edges(const mesh::Surface& surface, const Nets& nets, Faults& faults) {
   std::set<EdgeId> joined;
-  std::uint32_t number = 0;
+  check_chains(surface, nets, faults);
   for (const auto& join : nets.joins) {
-    faults.expect(join.number == ++number, "joins not numbered from 1");
     faults.expect(joined.insert(join.edge).second, "edge joined twice");
     faults.expect(nets.use[join.edge] == EdgeUse::cut, "join of an edge that is no cut");
   }
@@ -265,8 +303,7 @@ unfold::Folds random_tree(const unfold::Patch& patch, Random& random) {
 }
 
 unfold::NetFound net_of(const unfold::Patch& patch, const unfold::Folds& start, std::uint64_t seed) {
-  return unfold::find_net(
-      patch, start, {unfold::net_tolerance(patch.extent), unfold::patient_trials(patch.size())}, seed, {});
+  return unfold::find_net(patch, start, unfold::net_tolerance(patch.extent), seed, {});
 }
 
 unfold::NetFound net_of(const unfold::Patch& patch, std::uint64_t seed) {

@@ -208,7 +208,8 @@ TEST_CASE("a slit lies where its tab comes, inside its piece, away from cuts, fo
   }
 }
 
-TEST_CASE("arrows go into large faces; joins without room for a slit keep their glue tab", "[tabs][slots]") {
+TEST_CASE("arrows go into large faces, and joins without room for a slit keep their glue tab",
+          "[tabs][slots]") {
   const Sample cube = with_slots(model(0), 1);
   for (const unfold::Join& join : cube.nets.joins) {
     REQUIRE(join.tab.valid());

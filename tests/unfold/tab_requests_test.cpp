@@ -15,7 +15,7 @@
 #include "base/error.hpp"
 #include "support/flat_panels.hpp"
 #include "support/shapes.hpp"
-#include "unfold/tabs/place/missing_tabs.hpp"
+#include "unfold/tabs/place/more_tabs.hpp"
 #include "unfold/tabs/shape/convex_shape.hpp"
 #include "unfold/tabs_checks.hpp"
 #include "unfold/tabs_of_nets.hpp"

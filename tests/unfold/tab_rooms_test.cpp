@@ -16,7 +16,7 @@ using unfold::Options;
 namespace {
 
 /// Every piece lies on the sheet with its tabs; how many joins have none.
-std::size_t missing_tabs(const mesh::Surface& surface, const Options& options) {
+std::size_t more_tabs(const mesh::Surface& surface, const Options& options) {
   const Nets nets = unfold::unfold(surface, test::flat_panels(surface), test::one_part(surface), options, {});
   CHECK(test::faults_of(surface, nets, options) == none);
   for (const PieceId p : ids<PieceId>(nets.pieces.size())) {
@@ -57,19 +57,19 @@ TEST_CASE("a prism nearly as high as the sheet has all tabs, on the sides that h
   const Options options = on_sheet(190.0, 266.0);
   for (const double height : {254.0, 257.0, 259.0, 262.0, 264.0, 265.9, 266.0}) {
     INFO("height " << height);
-    CHECK(missing_tabs(test::revolve({{0, 0}, {90, 0}, {90, height}, {0, height}}, 8), options) == 0);
+    CHECK(more_tabs(test::revolve({{0, 0}, {90, 0}, {90, height}, {0, height}}, 8), options) == 0);
   }
 }
 
 TEST_CASE("squares as wide as the sheet have tabs on two sides each", "[tab_rooms]") {
   for (const double side : {181.0, 186.0, 189.0, 190.0}) {
     INFO("side " << side);
-    CHECK(missing_tabs(box(side, side, side), on_sheet(190.0, 266.0)) == 0);
+    CHECK(more_tabs(box(side, side, side), on_sheet(190.0, 266.0)) == 0);
   }
 }
 
 TEST_CASE("where no piece has paper for a tab there is none, and each fits", "[tab_rooms]") {
   // A face as large as the sheet bears no tab; all its neighbours are as long as the sheet is high.
-  CHECK(missing_tabs(box(190.0, 266.0, 10.0), on_sheet(190.0, 266.0)) <= 4);
-  CHECK(missing_tabs(box(190.0, 266.0, 190.0), on_sheet(190.0, 266.0)) <= 12);
+  CHECK(more_tabs(box(190.0, 266.0, 10.0), on_sheet(190.0, 266.0)) <= 4);
+  CHECK(more_tabs(box(190.0, 266.0, 190.0), on_sheet(190.0, 266.0)) <= 12);
 }

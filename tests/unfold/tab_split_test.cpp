@@ -11,13 +11,9 @@
 #include <catch2/catch.hpp>
 
 #include "base/disjoint_sets.hpp"
-#include "base/error.hpp"
 #include "base/random.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
-#include "unfold/patch/layout.hpp"
-#include "unfold/patch/tree.hpp"
-#include "unfold/tabs/place/missing_tabs.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
 #include "unfold/tree_nets.hpp"
@@ -78,6 +74,12 @@ Nets unfolded(const Surface& s, Options options, bool split, unsigned threads = 
   Context context;
   context.threads = threads;
   return unfold::unfold(s, test::no_panels(s), test::one_part(s), options, context);
+}
+
+Nets split_in_panels(const Surface& s) {
+  Options options;
+  options.tabs.split_pieces = true;
+  return unfold::unfold(s, test::flat_panels(s), test::one_part(s), options, {});
 }
 
 /// Joins without a usable tab that could have one.
@@ -302,21 +304,12 @@ TEST_CASE("a slit in a flat region takes no edge its tab", "[tabs]") {
   fan(4, 5, 6, 7, 8);
   fan(0, 1, 5, 4, 9);
   const Surface s(points, faces);
-  const prepare::Panels panels = test::flat_panels(s);
-  const unfold::Patch patch = test::whole_patch(s, panels);
-  unfold::Folds folds(patch.frozen.begin(), patch.frozen.end());
-  for (const EdgeId slit : {test::edge_between(s, v(4), v(8)), test::edge_between(s, v(4), v(9))}) {
-    for (const CornerId side : s.sides(slit)) {
-      folds[side.value()] = 0;
-    }
-  }
-  const unfold::TabOptions options;
-  const unfold::TabGaps gaps({s, panels, options}, patch, folds, Context());
-  CHECK(gaps.able(test::edge_between(s, v(4), v(5))));
-  CHECK_FALSE(gaps.able(test::edge_between(s, v(4), v(8))));
+  const Nets nets = split_in_panels(s);
+  CHECK(nets.pieces.size() == 1);
+  CHECK(missing(s, nets) == 0);
 }
 
-TEST_CASE("a face deep inside a flat region is cut off with what is around it", "[tabs]") {
+TEST_CASE("edges inside a flat region need no tab", "[tabs]") {
   // A cube whose top has a triangle in the middle: all of its edges are folds of the flat region.
   const std::vector<Vec3> points{{0, 0, 0},    {40, 0, 0},   {40, 40, 0},  {0, 40, 0},
                                  {0, 0, 40},   {40, 0, 40},  {40, 40, 40}, {0, 40, 40},
@@ -343,53 +336,15 @@ TEST_CASE("a face deep inside a flat region is cut off with what is around it", 
     faces.push_back({VertexId(a), VertexId(b), VertexId(c)});
   }
   const Surface s(points, faces);
-  const prepare::Panels panels = test::flat_panels(s);
-  REQUIRE(panels.count() == 6);
-  const unfold::Patch patch = test::whole_patch(s, panels);
-  Random random(1);
-  const unfold::Folds folds = test::random_tree(patch, random);
-  const unfold::TabOptions options;
-  const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
-  const FaceId middle(17);
-  const std::vector<unfold::TabGap> gaps{{JoinId(0), {{middle, {FaceId(10)}}}}};
-  const auto cuts = unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, Context());
-  REQUIRE(cuts.size() == 1);
-  CHECK(folds[cuts[0]] != 0);
-  CHECK(patch.frozen[cuts[0]] == 0);
-  const PanelId here = panels.panel[FaceId(cuts[0] / 3)];
-  const PanelId there = panels.panel[FaceId(patch.twin[cuts[0]] / 3)];
-  CHECK((here == panels.panel[middle] || there == panels.panel[middle]));
-}
-
-TEST_CASE("what stands in the way of tabs is looked for until somebody says stop", "[tabs]") {
-  const Surface s = dented(test::scaled(test::sphere(24, 12), 40.0), 0.1, 5);
-  const prepare::Panels panels = test::no_panels(s);
-  const unfold::Patch patch = test::whole_patch(s, panels);
-  const Nets nets = unfolded(s, {}, false);
-  unfold::Folds folds(patch.twin.size(), 0);
-  for (const CornerId c : ids<CornerId>(s.corner_count())) {
-    folds[c.value()] = nets.use[s.edge(c)] == unfold::EdgeUse::fold ? 1 : 0;
-  }
-  const unfold::TabOptions options;
-  const unfold::TabGaps tab_gaps({s, panels, options}, patch, folds, Context());
-  const std::vector<JoinId> lacking = tab_gaps.missing(nets);
-  REQUIRE_FALSE(lacking.empty());
-  const auto gaps = tab_gaps.gaps(nets, lacking, Context());
-  Random random(1);
-  CHECK_FALSE(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, Context()).empty());
-  StopSource source;
-  source.request_stop();
-  Context stopped;
-  stopped.stop = source.get_token();
-  CHECK_THROWS_AS(tab_gaps.gaps(nets, lacking, stopped), Error);
-  CHECK_THROWS_AS(unfold::choose_tab_cuts({s, patch, folds, tab_gaps, gaps}, stopped), Error);
+  REQUIRE(test::flat_panels(s).count() == 6);
+  const Nets nets = split_in_panels(s);
+  CHECK(nets.pieces.size() == 1);
+  CHECK(nets.joins.size() == 7);
+  CHECK(missing(s, nets) == 0);
 }
 
 TEST_CASE("what has all its tabs isn't split", "[tabs]") {
-  const Surface cube = test::scaled(test::cube(), 40.0);
-  Options options;
-  options.tabs.split_pieces = true;
-  const Nets nets = unfold::unfold(cube, test::flat_panels(cube), test::one_part(cube), options, {});
+  const Nets nets = split_in_panels(test::scaled(test::cube(), 40.0));
   CHECK(nets.pieces.size() == 1);
   CHECK(nets.tabs.size() == 7);
 }

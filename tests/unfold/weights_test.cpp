@@ -20,7 +20,7 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/pieces/kept_edges.hpp"
-#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 using namespace ridgecraft;
 using unfold::Folds;
@@ -123,18 +123,20 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
     folds[side] = nets.use[edge] == unfold::EdgeUse::fold ? 1 : 0;
   }
   // What lies across a strip that stays one is no neck.
+  const unfold::Symmetry symmetry = unfold::find_symmetry(model.surface, Weights(), Context());
+  unfold::Options options;
+  options.labels = model.labels;
   const unfold::EdgeConstraints strips =
-      unfold::with_bands_kept(model.surface, model.panels, model.labels.items(), {}, Weights());
+      unfold::with_bands_kept({model.surface, model.panels, model.part, options}, symmetry);
   for (std::uint32_t side = 0; side < folds.size() && !strips.empty(); ++side) {
     const EdgeId edge = model.surface.edge(mesh::corner(patch.face[side / 3], side % 3));
     patch.frozen[side] = strips[edge] == unfold::EdgeConstraint::band && folds[side] != 0
                              ? unfold::frozen_in_band
                              : patch.frozen[side];
   }
-  const std::vector<std::uint32_t> mirror =
-      mirror_sides(model.surface, patch, unfold::mirror_images(model.surface, Weights()).edge);
+  const std::vector<unfold::SideImages> images = images_of_sides(model.surface, patch, symmetry.images);
   unfold::CutFacts facts;
-  facts.mirror = mirror;
+  facts.images = images;
   unfold::CutCosts cuts(patch, facts, weights);
   cuts.set_tree(folds);
   double sum = cuts.total();

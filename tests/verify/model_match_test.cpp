@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nets against the model that they are said to be of.
+#include <algorithm>
 #include <fstream>
 
 #include <catch2/catch.hpp>
 
+#include "support/temporary_folder.hpp"
 #include "verify/geometry/geometry.hpp"
 #include "verify/support.hpp"
 
@@ -201,4 +203,62 @@ TEST_CASE("nets of bodies that became one skin", "[model]") {
     p.z = p.z == 2.5 ? 2.75 : p.z;
   }
   CHECK(test::broken(test::verify_model(job.fold, other)) == std::vector<int>{model_promise});
+}
+
+TEST_CASE("a model that lies far from the origin is held against its nets all the same", "[model]") {
+  const test::TemporaryFolder folder;
+  std::string obj;
+  for (const Vec3 p : unit_cube().points) {
+    obj += "v " + std::to_string(1000000000000000 + static_cast<int>(p.x)) + " " +
+           std::to_string(1000000000000000 + static_cast<int>(p.y)) + " " +
+           std::to_string(static_cast<int>(p.z)) + "\n";
+  }
+  for (const auto& [a, b, c] : unit_cube().faces) {
+    obj += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1) + "\n";
+  }
+  test::write_bytes(folder / "far.obj", obj);
+  const test::WrittenJob job(folder / "far.obj", {});
+  const verify::Report report = test::verify_model(job.fold, test::surface_of(folder / "far.obj"));
+  INFO(test::first_fault(report));
+  CHECK(report.sound());
+}
+
+TEST_CASE("a body that can't be seen may be missing, one that can be seen may not", "[model]") {
+  // Nets of a box around a cube: the cube is left out of them, and may be, as long as the box is closed.
+  verify::ModelSurface model = unit_cube();
+  for (Vec3& p : model.points) {
+    p = 100.0 * p;
+  }
+  const auto add = [&](Vec3 at, double size) {
+    const auto first = static_cast<std::uint32_t>(model.points.size());
+    for (const Vec3 p : unit_cube().points) {
+      model.points.push_back(at + size * p);
+    }
+    for (const auto& [a, b, c] : unit_cube().faces) {
+      model.faces.push_back({first + a, first + b, first + c});
+    }
+  };
+  const test::TemporaryFolder folder;
+  std::string obj;
+  for (const Vec3 p : model.points) {
+    obj += "v " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+  }
+  for (const auto& [a, b, c] : model.faces) {
+    obj += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1) + "\n";
+  }
+  test::write_bytes(folder / "box.obj", obj);
+  const test::WrittenJob job(folder / "box.obj", {"--faces", "keep", "--scale", "1"});
+  const std::string united =
+      test::replaced(job.fold, "\"concavity\"", "\"bodies\": \"united\", \"concavity\"");
+  const std::string& fold = job.fold.find("\"bodies\"") == std::string::npos ? united : job.fold;
+  model.digest.clear();
+  const auto is_sound = [&] {
+    const verify::Report report = test::verify_model(fold, model);
+    return std::ranges::none_of(test::broken(report), [](int promise) { return promise == model_promise; });
+  };
+  CHECK(is_sound());
+  add({40, 40, 40}, 20.0);
+  CHECK(is_sound());
+  add({110, 40, 40}, 20.0);
+  CHECK_FALSE(is_sound());
 }

@@ -243,3 +243,22 @@ TEST_CASE("lines lie on lines as sets of points", "[pages]") {
   CHECK_FALSE(LineSet().distance_to({0, 0}, 1.0));
   CHECK(LineSet().bare({{0, 0}, {1, 0}}, 0.01)->length == Approx(1.0));
 }
+
+TEST_CASE("what may change how an SVG page looks, and isn't ours, is refused", "[pages]") {
+  const std::string layer = cut_layer("<path stroke=\"#000000\" d=\"M10,10 L20,10\"/>");
+  REQUIRE(defect_of(svg_with(layer)).empty());
+  const auto before_root = [&](const std::string& text) {
+    std::string svg = svg_with(layer);
+    return defect_of(svg.insert(svg.find("<svg"), text));
+  };
+  CHECK(before_root("<!-- words -->").empty());
+  CHECK(before_root("<?xml-stylesheet href=\"data:text/css,%23cut{display:none}\"?>")
+            .find("has a processing instruction") != std::string::npos);
+  CHECK(before_root("<!DOCTYPE svg [<!ATTLIST path stroke-opacity CDATA \"0\">]>")
+            .find("has a document type") != std::string::npos);
+  CHECK(defect_of(svg_with("<desc><style>path{display:none}</style></desc>" + layer))
+            .find("its <desc> has a <style>") != std::string::npos);
+  CHECK(
+      defect_of(svg_with(layer, "width=\"100mm\" height=\"50mm\" viewBox=\"0 0 100 50\" style=\"opacity:0\""))
+          .find("its root has the attribute \"style\"") != std::string::npos);
+}

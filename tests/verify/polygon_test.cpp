@@ -135,7 +135,7 @@ TEST_CASE("convex parts are convex, apart, and together the polygon", "[verify]"
   CHECK(verify::convex_parts(Polygon{{0, 0}, {1, 0}, {2, 0}}, {}).empty());
 }
 
-TEST_CASE("a turned round polygon is one part; a clockwise one is turned over", "[verify]") {
+TEST_CASE("a turned round polygon is one part, and a clockwise one is turned over", "[verify]") {
   Polygon square = {{0, 0}, {0, 2}, {2, 2}, {2, 0}};
   const std::vector<Polygon> parts = verify::convex_parts(square, {});
   REQUIRE(parts.size() == 1);

@@ -444,6 +444,32 @@ TEST_CASE("what is changed within a PDF is found", "[pages]") {
   CHECK(fault_after("0 0 0 RG", "1 1 1 RG", colour).find("of the cut lines of piece") != std::string::npos);
 }
 
+TEST_CASE("what may change how a PDF's lines look, and isn't ours, is refused", "[pages]") {
+  const test::WrittenJob& job = test::whale();
+  REQUIRE(test::run_command({"qpdf", "--qdf", "--object-streams=disable", (job.folder / "whale.pdf").string(),
+                             (job.folder / "plain.pdf").string()})
+              .exit_code == 0);
+  const std::string plain = test::read_bytes(job.folder / "plain.pdf");
+  // Each place where some words are, changed by itself; how many of these changes are found by this sentence.
+  const auto found_as = [&](const std::string& from, const std::string& to, const std::string& words) {
+    REQUIRE(from.size() == to.size());
+    std::size_t found = 0;
+    for (std::size_t at = plain.find(from); at != std::string::npos; at = plain.find(from, at + 1)) {
+      std::string bytes = plain;
+      bytes.replace(at, from.size(), to);
+      const std::string fault =
+          test::first_fault(test::verify_pages(job.fold, {verify::read_pdf("plain.pdf", bytes)}));
+      found += fault.find(words) != std::string::npos ? 1U : 0U;
+    }
+    return found;
+  };
+  CHECK(found_as("/TrimBox [", "/Annots  [", "has annotations, which may be printed") == 2);
+  // Layers of lines on two pages: at least those for cuts, folds and bases of tabs.
+  CHECK(found_as("/BBox [\n    0\n    0\n    595", "/BBox [\n    0\n    0\n    005", "a line is cut off") >=
+        6);
+  CHECK(found_as("/ca 1", "/BM 1", "its graphics state has /BM, which may change what is printed") >= 6);
+}
+
 TEST_CASE("a PDF that another tool has turned round, reordered or cropped is found", "[pages]") {
   const test::WrittenJob& job = test::whale();
   const auto after = [&](const std::vector<std::string>& how) {

@@ -252,6 +252,10 @@ TEST_CASE("promise 5: folds, joins, tabs", "[verify]") {
     CHECK(broken(json).empty());
     CHECK(verify_json(json).figures->joins_without_tab == 1);
   }
+  SECTION("a join with a tab says why it has none") {
+    json["ridgecraft:joins"][6]["why"] = "no room";
+    CHECK(broken(json) == Promises{5});
+  }
   SECTION("two joins exchange their partners") {
     std::swap(json["ridgecraft:joins"][0]["edges"][1], json["ridgecraft:joins"][1]["edges"][1]);
     CHECK(broken(json) == Promises{5});

@@ -162,12 +162,38 @@ TEST_CASE("kind 5: pages that aren't those of the settings", "[statements]") {
 }
 
 TEST_CASE("kind 6: numbers that two seams share", "[statements]") {
-  check_found("have the same number and are no straight seam", [](Json& json) {
+  check_found("have the same number and are no row of edges", [](Json& json) {
     Json& joins = json["ridgecraft:joins"];
-    const Json number = joins[0]["number"];
-    joins[5]["number"] = number;
-    json["ridgecraft:tabs"][joins[5]["tab"].get<std::size_t>()]["joins"] = {number};
+    const Json number = joins.front()["number"];
+    joins.back()["number"] = number;
+    json["ridgecraft:tabs"][joins.back()["tab"].get<std::size_t>()]["joins"] = {number};
   });
+}
+
+TEST_CASE("kind 7: chains that aren't rows of joins", "[statements]") {
+  const auto longest = [](Json& json) -> Json& {
+    Json& chains = json["ridgecraft:chains"];
+    return *std::max_element(chains.begin(), chains.end(), [](const Json& a, const Json& b) {
+      return a["joins"].size() < b["joins"].size();
+    });
+  };
+  Json clean = house();
+  REQUIRE(longest(clean)["joins"].size() > 2);
+  check_found("ridgecraft:chains is missing", [](Json& json) { json.erase("ridgecraft:chains"); });
+  check_found("is in 0 chains, not in one", [&](Json& json) { longest(json)["joins"].erase(0); });
+  check_found("is in 2 chains, not in one",
+              [](Json& json) { json["ridgecraft:chains"].push_back(json["ridgecraft:chains"][0]); });
+  check_found("has joins of another number", [&](Json& json) {
+    longest(json)["number"] = 1 + json["ridgecraft:chains"].back()["number"].get<int>();
+  });
+  check_found("don't follow each other on both of its pieces", [&](Json& json) {
+    Json& joins = longest(json)["joins"];
+    std::swap(joins[0], joins[1]);
+  });
+  // Every other join the other way round is the same chain.
+  Json turned = house();
+  std::swap(turned["ridgecraft:joins"][1]["edges"][0], turned["ridgecraft:joins"][1]["edges"][1]);
+  CHECK(test::verify_json(turned).sound());
 }
 
 TEST_CASE("files of other programs need not speak as this one does", "[statements]") {
@@ -258,16 +284,17 @@ const std::set<std::string> free_paths = {
     "/file_frames",                                                          // and further frames
     // The contract leaves names, order and reasons to the program, but for what it says of part and page.
     "/ridgecraft:pieces", "/ridgecraft:pieces/#/name", "/ridgecraft:pieces/#/reason", "/ridgecraft:pages",
-    "/ridgecraft:joins", "/ridgecraft:joins/#", "/ridgecraft:joins/#/number", "/ridgecraft:joins/#/why",
-    "/ridgecraft:tabs", "/ridgecraft:tabs/#/joins",
-    "/edges_vertices",               // two flat folds that change their numbers
-    "/edges_vertices/#",             // an edge has no direction
-    "/ridgecraft:joins/#/edges",     // nor has a join
-    "/ridgecraft:fold_order/#/#",    // what is folded together comes in no order
-    "/edges_foldAngle/#",            // within the tolerance of small angles
-    "/file_frames/#/frame_inherit",  // false is what it means when it is left out
-    "/ridgecraft:pieces/#/holes",    // as is 0
-    "/ridgecraft:pages/#/origin/#",  // a hundredth of nothing
+    "/ridgecraft:joins", "/ridgecraft:joins/#", "/ridgecraft:joins/#/why", "/ridgecraft:tabs",
+    "/ridgecraft:tabs/#/joins",
+    "/edges_vertices",                                   // two flat folds that change their numbers
+    "/edges_vertices/#",                                 // an edge has no direction
+    "/ridgecraft:joins/#/edges",                         // nor has a join
+    "/ridgecraft:chains", "/ridgecraft:chains/#/joins",  // nor a chain
+    "/ridgecraft:fold_order/#/#",                        // what is folded together comes in no order
+    "/edges_foldAngle/#",                                // within the tolerance of small angles
+    "/file_frames/#/frame_inherit",                      // false is what it means when it is left out
+    "/ridgecraft:pieces/#/holes",                        // as is 0
+    "/ridgecraft:pages/#/origin/#",                      // a hundredth of nothing
     // How nets were searched leaves no trace in them, and limits may be wider than what came of them.
     "/ridgecraft:settings/concavity", "/ridgecraft:settings/seed", "/ridgecraft:settings/max_faces",
     "/ridgecraft:settings/gap_mm", "/ridgecraft:settings/tab_height_mm", "/ridgecraft:settings/tab_angle_deg",
@@ -410,7 +437,10 @@ TEST_CASE("an order of assembly that can't be followed is found", "[assembly]") 
       return static_cast<std::size_t>(std::find(order.begin(), order.end(), piece) - order.begin());
     };
     for (std::size_t j = 0; j < joins.size(); ++j) {
-      numbers[std::max(place(seams[j][0]), place(seams[j][1]))].push_back(joins[j]["number"]);
+      std::vector<std::int64_t>& own = numbers[std::max(place(seams[j][0]), place(seams[j][1]))];
+      if (own.empty() || own.back() != joins[j]["number"]) {
+        own.push_back(joins[j]["number"]);
+      }
     }
     steps = Json::array();
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -1,57 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves pieces in the studio's page by mouse, keyboard and finger. The program behind it is played by a few lines, which
-// note what they are asked, so that this runs where no WebAssembly was built.
-//   node drag.mjs --browser chromium|firefox --web FOLDER --program FILE --samples FOLDER --tools FOLDER --out FOLDER
-import {execFileSync} from "node:child_process";
-import {mkdirSync, readFileSync, writeFileSync} from "node:fs";
+// Moves pieces in the studio's page by mouse, keyboard and finger. The program behind it is played (played.mjs).
 import {pathToFileURL} from "node:url";
-import {parseArgs} from "node:util";
-import {deflateSync} from "node:zlib";
 
-import {unpackedText} from "../../web/packed.js";
-import {launch, settled, toolsIn} from "./browsers.mjs";
+import {launch, settled} from "./browsers.mjs";
+import {playedPage} from "./played.mjs";
+import {end, runAll, subject} from "./subject.mjs";
 
-const {values} = parseArgs({options: {browser: {type: "string", default: "chromium"}, web: {type: "string"},
-  program: {type: "string"}, samples: {type: "string"}, tools: {type: "string"}, out: {type: "string"}}});
-const require = toolsIn(values.tools);
-const {out} = values;
-mkdirSync(out, {recursive: true});
-const faults = [];
-const check = (holds, words) => holds || faults.push(words);
+const {values, require, out, faults, check} = subject();
 
-/** Answers as worker.js does, with one result whatever is asked. Nothing finds room to the left of its page; what is dragged higher
- * than 250 mm finds room 20 mm above the page's foot. */
-function play(fold, sheets) {
-  let pinned = [];
-  self.onmessage = ({data}) => {
-    const result = {summary: {}, fold, sheets, pinned};
-    if (data.line) {
-      postMessage({note: {code: "plain", values: {text: `${data.call}: ${data.line}`}, text: ""}});
-    }
-    const refused = /^place \d+ \d+ -/.test(data.line ?? "") ? {edit: 0, why: {code: "beyond_sheet", values: {a: "A"}, text: ""}, faces: [0]} : null;
-    const [verb, , , x, y] = (data.line ?? "").split(" ");
-    const above = verb === "place" && Number(y) > 250 && data.call === "preview";
-    const nearby = {refused: {edit: 0, why: {code: "no_such_page", values: {}, text: ""}, faces: [0]}, instead: [Number(x), 20]};
-    if (data.call === "apply" && /^(un)?pin /.test(data.line)) {
-      pinned = data.line.startsWith("pin") ? [Number(data.line.split(" ")[1])] : [];
-      result.pinned = pinned;
-    }
-    postMessage(data.call === "start" ? {id: data.id} : above ? {id: data.id, ...nearby} : refused ? {id: data.id, refused} : data.call === "preview" ? {id: data.id} : {id: data.id, ...result});
-  };
-}
-
-execFileSync(values.program, [`${values.samples}/whale.obj`, "--overwrite", "--quiet", "-o", `${out}/whale.html`, "-o", `${out}/whale.fold`],
-  {stdio: ["ignore", "ignore", "inherit"]});
-const fold = readFileSync(`${out}/whale.fold`, "utf8");
-const written = readFileSync(`${out}/whale.html`, "utf8");
-const sheets = await unpackedText(/id="sheets">(.*?)<\/script>/s.exec(written)[1]);
-execFileSync("sh", [`${values.web}/bundle.sh`, "studio", `${out}/frame.html`]);
-const packed = (id, bytes) => `<script type="text/plain" id="packed-${id}">${deflateSync(bytes).toString("base64")}</script>\n`;
-const data = [packed("module", Buffer.from([0, 97, 115, 109, 1, 0, 0, 0])), packed("program", `(${play})(${JSON.stringify(fold)},${JSON.stringify(sheets)});`),
-  packed("samples", JSON.stringify({whale: {"whale.obj": "v 0 0 0\n"}})), '<script type="application/json" id="start">{}</script>'].join("");
-const file = `${out}/drag.html`;
-writeFileSync(file, readFileSync(`${out}/frame.html`, "utf8").replace("@PRODUCER@", "Ridgecraft test")
-  .replace("@DATA@", () => data));
+const file = await playedPage(values);
 
 const browser = await launch(require, values.browser, true);
 
@@ -67,6 +24,8 @@ async function open(options) {
     await page.waitForFunction(() => !globalThis.ridgecraft.inspect().busy, null, {timeout: 60000});
     return inspect();
   };
+  // Distances are measured here; desk.mjs and unit/snap.test.mjs have what snaps.
+  await page.evaluate(() => (document.body.dataset.snap = "off"));
   await page.click("#samples button");
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().pieces > 0, null, {timeout: 60000});
   if (options?.viewport?.width < 700) {
@@ -122,8 +81,10 @@ async function byMouse() {
     return at < left + width / 2 ? 1 : -1;
   }, [largest, x]);
 
-  // A drag lays the piece so much further.
+  // A drag lays the piece so much further. One that is held at the border scrolls: each begins from the same view.
   const drag = async (dx, dy, meanwhile = async () => {}) => {
+    await page.keyboard.press("Home");
+    await settled(page);
     await page.mouse.move(x, y);
     await page.mouse.down();
     await page.mouse.move(x + dx / 2, y + dy / 2);
@@ -150,25 +111,28 @@ async function byMouse() {
     `60 pixels further of ${scale} a mm: "${first}", "${second}"`);
   check((await lines("preview")).some((line) => line.startsWith("place ")), "no room is asked for while a piece is dragged");
 
-  // Without room it is red, goes back, and why is said in German.
+  // Without room it is red, stays there, and why is said in German.
   const beyond = await page.evaluate((index) => {
     const first = Math.min(...[...document.querySelectorAll(".page .sheet")].map((sheet) => sheet.getBoundingClientRect().left));
     return document.querySelector(`[data-piece="${index}"]`).getBoundingClientRect().right - first;
   }, largest);
   const refused = await drag(-beyond - 20, 80, async () => page.waitForSelector(".no-room", {timeout: 5000}).catch(() => faults.push("what has no room isn't marked")));
   check(/^Teil A läge außerhalb/.test(refused.error), `a refusal says "${refused.error}"`);
-  check(await page.locator("[data-piece][transform]").count() === 0 && await page.locator(".no-room").count() === 0, "what is refused doesn't go back");
-
   // The sentence goes with the next press elsewhere, or by Escape, and not by a press on itself.
   const refusal = page.locator("#refused");
   await refusal.locator("p").click();
   check(await refusal.isVisible(), "a press on a refusal takes it away");
-  await page.mouse.click(x, y);
+  await page.mouse.click(4, 4);
   check(await refusal.isHidden(), "a refusal lies on the sheets while somebody goes on there");
+  check((await inspect()).loose.join() === String(largest) && await page.locator(".loose[transform]").count() === 1, "what has no room doesn't stay where it was let go");
+  await page.keyboard.press("Control+z");
+  check((await inspect()).loose.length === 0 && await page.locator("[data-piece][transform], .loose, .no-room").count() === 0, "undo leaves a piece where it has no room");
+  check((await lines("apply")).at(-1) === second, "a piece without room was laid");
   await page.keyboard.press("Escape");
   await drag(-700, 0);
   await page.keyboard.press("Escape");
   check(await refusal.isHidden(), "Escape leaves a refusal");
+  await page.keyboard.press("Control+z");
 
   // Where it would find room nearby, that is shown, and it is laid there.
   await page.keyboard.press("Escape");
@@ -182,7 +146,7 @@ async function byMouse() {
   await page.mouse.click(...(await inside(largest)));
   const {offer} = await inspect();
   check(offer?.edits.map(({kind}) => kind).join() === "place,place,pack,retry,pin", `a piece is offered ${JSON.stringify(offer)}`);
-  const texts = await page.locator("#edit button").allTextContents();
+  const texts = await page.locator("#edit > div > button").allTextContents();
   check(texts.join() === "Um 90° nach links drehen,Um 90° nach rechts drehen,Anderen Platz suchen,Andere Abwicklung,Festhalten", `the buttons say ${texts}`);
   await page.screenshot({path: `${out}/${values.browser}-offer.png`});
 
@@ -323,14 +287,5 @@ async function strokes(context, page) {
   }, [fingers, moves.map((move) => add(fingers.at(-1), move))]);
 }
 
-for (const run of [byMouse, byFinger]) {
-  try {
-    await run();
-  } catch (error) {
-    faults.push(error.stack ?? String(error));
-  }
-  await Promise.all(browser.contexts().map((context) => context.close()));
-}
-await browser.close();
-console.log(faults.length === 0 ? "passed" : `FAILED\n    ${faults.join("\n    ")}`);
-process.exit(faults.length === 0 ? 0 : 1);
+await runAll(browser, [byMouse, byFinger], faults);
+await end(browser, faults);

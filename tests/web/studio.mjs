@@ -68,14 +68,19 @@ async function open(file, options = {}) {
     }
     document.dispatchEvent(new DragEvent("drop", {dataTransfer: data, bubbles: true, cancelable: true}));
   }, files.map(([name, bytes]) => [name, bytes.toString("base64")]));
+  /** Where changes would be lost with what is dropped, it asks first. */
+  const replace = async (files) => {
+    await drop(files);
+    await page.click('#ask [data-choice="leave"]');
+  };
   const shot = (name) => page.screenshot({path: `${out}/${values.browser}-${name}.png`});
-  return {context, page, heard, inspect, idle, exported, drop, shot};
+  return {context, page, heard, inspect, idle, exported, drop, replace, shot};
 }
 
 const sampleFiles = (name) => [".obj", ".mtl"].map((suffix) => [`${name}${suffix}`, readFileSync(`${values.samples}/${name}${suffix}`)]);
 
 async function makesPaper() {
-  const {context, page, heard, inspect, idle, exported, drop, shot} = await open(values.page);
+  const {context, page, heard, inspect, idle, exported, drop, replace, shot} = await open(values.page);
   await page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
   console.log(`    ready ${(await inspect()).ready.toFixed(0)} ms after opening; ${(readFileSync(values.page).length / 1e6).toFixed(2)} MB`);
   await shot("welcome");
@@ -117,7 +122,7 @@ async function makesPaper() {
   check(archive.subarray(0, 4).toString("latin1") === "PK\u0003\u0004" || archive.subarray(0, 5).toString() === "<?xml", "the SVG is neither a file nor an archive");
 
   // What can't be is refused, and the result before stays.
-  await drop([["broken.obj", Buffer.from("v 0 0 0\nf 1 2 3\n")]]);
+  await replace([["broken.obj", Buffer.from("v 0 0 0\nf 1 2 3\n")]]);
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().error !== "", null, {timeout: 60000});
   const refused = await idle();
   check(/broken\.obj/.test(refused.error), `the broken model is refused with "${refused.error}"`);
@@ -136,12 +141,12 @@ async function makesPaper() {
       }
     }, 10);
   }));
-  await drop(sampleFiles("dinosaur"));
+  await replace(sampleFiles("dinosaur"));
   await clicked;
   const cancelled = await idle();
   check(cancelled.title === "house" && cancelled.project === "house.obj", `after cancelling there is ${cancelled.title}`);
   check((await exported("fold")).equals(native("house", ".fold", "--paper", "A3")), "after cancelling: other bytes than before");
-  await drop(sampleFiles("fox_head"));
+  await replace(sampleFiles("fox_head"));
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().title === "fox_head", null, {timeout: 120000});
   await idle();
   await shot("fox");
@@ -217,13 +222,13 @@ async function editsByHand() {
   // Joined again where it was cut, on the model's side of the page or on the sheets.
   const [seam] = again.marked.length > 0 ? again.marked : parted.marked;
   const join = await offered(seam, "sheet");
-  check(join.edits.map(({kind}) => kind).join() === "join,tab-from,no-tab", `at a seam there is offered ${JSON.stringify(join)}`);
+  check(join.edits.map(({kind}) => kind).join() === "join,tab-from,no-tab,both-tabs", `at a seam there is offered ${JSON.stringify(join)}`);
   const joined = await takes();
   check(joined.pieces === start.pieces, `a join makes ${joined.pieces} pieces`);
 
   // The tab goes over to the other piece, is left out, and comes back.
-  const pair = joined.joins.find(({pieces, number}) => pieces[0] !== pieces[1] && number > 3);
-  const giver = async () => /Lasche an (\w+)/.exec((await inspect()).foot)?.[1];
+  const pair = joined.joins.findLast(({pieces}) => pieces[0] !== pieces[1]);
+  const giver = async () => /Lasche an ([\w.]+)/.exec((await inspect()).foot)?.[1];
   await offered(pair.edges[0], "sheet");
   const gave = await giver();
   const to = (await page.textContent("#edit button:nth-child(2)")).replace("Lasche an Teil ", "");
@@ -235,7 +240,9 @@ async function editsByHand() {
     check(/kein Platz/.test(over.error), `a tab is refused: ${over.error}`);
     await page.click("#dismiss");
   }
-  const seamOver = over.joins.find(({number}) => number === pair.number).edges[0];
+  /** The joins of its seam, in their order there. */
+  const alongSeam = ({joins}) => joins.filter(({number}) => number === pair.number);
+  const seamOver = alongSeam(over)[alongSeam(joined).indexOf(pair)].edges[0];
   await offered(seamOver, "sheet");
   await takes(3);
   check(/ohne Lasche/.test((await inspect()).foot), `a tab that is taken off reads "${(await inspect()).foot}"`);
@@ -247,7 +254,7 @@ async function editsByHand() {
   check(given.pieces === joined.pieces, "Ctrl+Z doesn't give a tab back");
 
   // What can't be joined: a seam of a piece with itself.
-  const own = joined.joins.find(({pieces}) => pieces[0] === pieces[1]);
+  const own = given.joins.findLast(({pieces}) => pieces[0] === pieces[1]);
   const refused = await offered(own.edges[0], "sheet");
   check(!refused.edits.some(({kind}) => kind === "join") && /^Beide Seiten dieser Kante gehören zu Teil/.test(refused.words), `a loop is offered: ${JSON.stringify(refused)}`);
   await shot("edit-refused");
@@ -259,6 +266,110 @@ async function editsByHand() {
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().options.paper === "A3", null, {timeout: 120000});
   const larger = await idle();
   check(larger.canUndo || larger.notes.some(({text}) => text.includes("von Hand")), "a option forgets what was done by hand, without a word");
+  check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
+  await context.close();
+}
+
+/** A project is saved, and opened by the program and by another page, with the same bytes; sizes and all else are undone. */
+async function keepsProjects() {
+  const {context, page, heard, inspect, idle, exported, drop, shot} = await open(values.page);
+  await page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
+  await page.click("#samples button");
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().figures !== null && !globalThis.ridgecraft.inspect().busy, null, {timeout: 120000});
+  const first = await exported("fold");
+  const resize = async (size) => {
+    await page.fill("#option-size", size);
+    await page.waitForFunction((wanted) => (globalThis.ridgecraft.inspect().options.size ?? "") === wanted, size, {timeout: 120000});
+    return idle();
+  };
+  await resize("150");
+  const {folds, joins} = await inspect();
+  if (values.browser === "chromium") {
+    await page.click("#export");
+    await Promise.all([page.waitForEvent("download"), page.click("#export-menu button")]);
+  }
+  const [x, y] = (await inspect({edge: folds[Math.floor(folds.length / 3)]})).places.sheet;
+  await page.mouse.click(x, y);
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().offer, null, {timeout: 20000});
+  await page.click("#edit button");
+  const cut = await idle();
+  check(cut.error === "", `a cut is refused: ${cut.error}`);
+  const numbers = new Set(cut.joins.map(({number}) => number));
+  check(joins.every(({number}) => numbers.has(number)), "a cut changes the numbers of other seams");
+  await page.focus('[data-piece="1"]');
+  await page.keyboard.press("Shift+ArrowDown");
+  await idle();
+  const edited = await exported("fold");
+  if (values.browser === "chromium") {
+    // Of two sheets one has changed since they were printed.
+    await page.click("#export");
+    const changed = page.locator("#export-menu button", {hasText: "what changed"});
+    if (await changed.count() > 0) {
+      const [download] = await Promise.all([page.waitForEvent("download"), changed.click()]);
+      const pages = Number(execFileSync("qpdf", ["--show-npages", await download.path()], {encoding: "utf8"}));
+      const all = (await inspect()).figures.pages;
+      check(pages >= 1 && pages < all && /-\d+\.pdf$/.test(download.suggestedFilename()), `${download.suggestedFilename()} has ${pages} of ${all} pages`);
+    } else {
+      await page.keyboard.press("Escape");
+    }
+  }
+
+  // By a millimetre more and back: the same bytes.
+  await resize("151");
+  check(!(await exported("fold")).equals(edited), "151 mm are 150 mm");
+  await resize("150");
+  check((await exported("fold")).equals(edited), "150, 151, 150 mm: other bytes than before");
+
+  // Saved as a file: the program and another page make the same of it.
+  for (const format of ["ridgecraft", "html"]) {
+    const bytes = await exported(format);
+    writeFileSync(`${out}/mine.${format}`, bytes);
+    execFileSync(values.program, [`${out}/mine.${format}`, "--overwrite", "--quiet", "-o", `${out}/mine.fold`, "-o", `${out}/again.${format}`], {stdio: ["ignore", "ignore", "inherit"]});
+    check(readFileSync(`${out}/mine.fold`).equals(edited), `${format} opened by the program: other bytes`);
+    check(readFileSync(`${out}/again.${format}`).equals(bytes), `${format} written by the program again: other bytes`);
+    const other = await open(values.page);
+    await other.page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
+    await other.drop([[`mine.${format}`, bytes]]);
+    await other.page.waitForFunction(() => globalThis.ridgecraft.inspect().figures !== null && !globalThis.ridgecraft.inspect().busy, null, {timeout: 120000});
+    check((await other.exported("fold")).equals(edited), `${format} opened by another page: other bytes`);
+    await other.context.close();
+  }
+
+  // Nets alone open, too.
+  const alone = await open(values.page);
+  await alone.page.waitForFunction(() => globalThis.ridgecraft?.inspect().ready > 0);
+  await alone.drop([["whale.fold", edited]]);
+  await alone.page.waitForFunction(() => globalThis.ridgecraft.inspect().figures !== null || globalThis.ridgecraft.inspect().error !== "", null, {timeout: 120000});
+  const nets = await alone.idle();
+  check(nets.error === "" && nets.pieces === cut.pieces, `nets alone: ${nets.error}, ${nets.pieces} pieces of ${cut.pieces}`);
+  await alone.shot("nets-alone");
+  await alone.context.close();
+
+  // All of it back to the beginning, at once: options and edits.
+  const steps = (await inspect()).moment;
+  await page.evaluate((count) => {
+    document.activeElement?.blur();
+    for (let i = 0; i < count; ++i) {
+      document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "z", ctrlKey: true, bubbles: true, cancelable: true}));
+    }
+  }, steps);
+  await page.waitForFunction(() => globalThis.ridgecraft.inspect().moment === 0, null, {timeout: 60000});
+  await idle();
+  check((await exported("fold")).equals(first), "undone to the beginning: other bytes than at first");
+
+  // What can't be is said in words of the page.
+  for (const [option, value] of [["faces", "takes"], ["size", "12m"], ["size", "abc"], ["margin", "-3"]]) {
+    await page.evaluate(() => document.querySelector("#options details").setAttribute("open", ""));
+    await page.fill(`#option-${option}`, value);
+    await page.waitForFunction(() => globalThis.ridgecraft.inspect().error !== "", null, {timeout: 120000}).catch(() => {});
+    const {error} = await idle();
+    check(error !== "" && !/--\w/.test(error), `${option} "${value}": "${error}"`);
+    console.log(`    ${option} "${value}": ${error} [${await page.locator("#try-it").isVisible() ? await page.textContent("#try-it") : ""}]`);
+    await page.fill(`#option-${option}`, "");
+    await page.click("#dismiss");
+    await idle();
+  }
+  await shot("projects");
   check(heard.length === 0, `the page says or asks: ${heard.slice(0, 5)}`);
   await context.close();
 }
@@ -291,7 +402,7 @@ async function otherScreens() {
   }
 }
 
-for (const [name, run] of [["makes paper", makesPaper], ["edits by hand", editsByHand], ["begins with a model", beginsWithAModel], ["other screens", otherScreens]]) {
+for (const [name, run] of [["makes paper", makesPaper], ["edits by hand", editsByHand], ["keeps projects", keepsProjects], ["begins with a model", beginsWithAModel], ["other screens", otherScreens]]) {
   const before = faults.length;
   try {
     await run();

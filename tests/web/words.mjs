@@ -1,40 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each text of the page stands in both languages, with the same gaps; each one that is asked for is there, and none is
-// there that isn't asked for. The program's messages are said in both, and no module reads a sentence.
+// Each text of the page stands in English, and in German with the same gaps; other languages have some of them. Each one that is
+// asked for is there, and none is there that isn't asked for. The program's messages are said in both, and no module
+// reads a sentence.
 //   node words.mjs SOURCE     the folder of the sources
 import {readdirSync, readFileSync} from "node:fs";
 import {pathToFileURL} from "node:url";
 
+import {languagesIn} from "./played.mjs";
+
 const source = process.argv[2];
 const load = (name) => import(pathToFileURL(`${source}/web/${name}`).href);
-const {messages, texts, reader} = await load("words.js");
+const {addLanguage, languages, reader} = await load("words.js");
 const {proposalOf, saySentence} = await load("studio_words.js");
 const {optionTable} = await load("options.js");
 const faults = [];
 const check = (holds, words) => holds || faults.push(words);
 
+const files = languagesIn(`${source}/web`);
+const {en, de} = files;
+const sections = ["page", "studio", "options", "seams", "messages"];
 const gapsOf = (text) => [...new Set([...text.matchAll(/\{(\w+)/g)].map(([, name]) => name))].sort().join();
-function checkPair(about, pair) {
-  const good = Array.isArray(pair) && pair.length === 2 && pair.every((text) => typeof text === "string" && text.trim() === text && text !== "" || /^, /.test(text));
-  check(good, `${about}: ${JSON.stringify(pair)} isn't one text in English and one in German`);
-  check(!good || gapsOf(pair[0]) === gapsOf(pair[1]), `${about}: other gaps in German: ${JSON.stringify(pair)}`);
+for (const [code, language] of Object.entries(files)) {
+  const text = readFileSync(`${source}/web/languages/${code}.json`, "utf8");
+  check(text === `${JSON.stringify(language, null, 1)}\n`, `${code}.json isn't written as JSON.stringify(…, null, 1) does`);
+  check(Object.keys(language).every((key) => key === "name" || sections.includes(key)), `${code}.json has ${Object.keys(language)}`);
+  for (const section of sections) {
+    for (const [key, said] of Object.entries(language[section] ?? {})) {
+      const english = en[section][key];
+      check(typeof said === "string" && said !== "" && (said.trim() === said || /^, /.test(said)), `${code}, ${key}: ${JSON.stringify(said)} is no text`);
+      check(english !== undefined, `${code} has a text "${key}" that English hasn't`);
+      check(english === undefined || gapsOf(english) === gapsOf(said), `${code}, ${key}: other gaps than in English: ${JSON.stringify(said)}`);
+      check(!/^(seams|messages)$/.test(section) || !said.endsWith("."), `${code}, ${key} ends with a full stop`);
+    }
+  }
+  addLanguage(code, language);
 }
 
 // What is the same in both: names, numbers, and what only puts others together.
-const alike = /^(format_(svg|eps)|facts|on_page|option_.*_usual|option_preset_.*|option_up_[xyz])$/;
-for (const [key, pair] of Object.entries(texts)) {
-  checkPair(key, pair);
-  check(pair[0] !== pair[1] || alike.test(key), `${key}: "${pair[0]}" wasn't translated`);
+const alike = /^(format_(svg|eps)|facts|on_page|option_.*_usual|option_preset_.*|option_up_[xyz]|key_name_(tab|escape))$/;
+for (const section of sections) {
+  for (const [key, english] of Object.entries(en[section])) {
+    const german = de[section][key];
+    check(german !== undefined && (german !== english || alike.test(key) || english.replace(/\{\w+\}/g, "").length < 5), `${key}: "${english}" wasn't translated`);
+  }
 }
-for (const [code, pair] of Object.entries(messages)) {
-  checkPair(code, pair);
-  check(pair[0] !== pair[1] || pair[0].replace(/\{\w+\}/g, "").length < 5, `${code}: "${pair[0]}" wasn't translated`);
-  check(!pair[0].endsWith(".") && !pair[1].endsWith("."), `${code} ends with a full stop`);
-}
+const {texts, messages} = languages.get("en");
+
+// What a language lacks is said in English.
+addLanguage("xx", {name: "X", page: {sheets: "SHEETS"}, seams: {}});
+const {say} = await load("words.js");
+reader.language = "xx";
+check(say("sheets") === "SHEETS" && say("model") === en.page.model && say("nothing") === "nothing", "a language that is half there isn't filled by English");
 
 // Asked for: by say(), by attributes of the page, by the table of options, or as a word that a text goes by.
-const files = readdirSync(`${source}/web`).filter((name) => /\.(js|html)$/.test(name) && !name.endsWith("words.js"));
-const pages = files.map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
+const modules = readdirSync(`${source}/web`).filter((name) => /\.(js|html)$/.test(name) && !name.endsWith("words.js"));
+const pages = modules.map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const own = ["words.js", "studio_words.js", "option_words.js"].map((name) => readFileSync(`${source}/web/${name}`, "utf8")).join("\n");
 const asked = new Set();
 check(!/matchAll|new RegExp/.test(pages), "a module reads sentences");

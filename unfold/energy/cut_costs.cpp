@@ -62,7 +62,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
       weights_(weights),
       bands_(weights.bands > 0.0 ? find_bands(patch) : Bands()),
       with_tabs_(!facts.candidates.empty()),
-      mirror_(facts.mirror),
+      images_(facts.images),
       across_(facts.across),
       behind_(patch.twin.size()),
       cut_(patch.twin.size(), 0),
@@ -79,9 +79,6 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
     const Vec2 b = t[(k + 2) % 3] - t[k];
     corner_angle_[side] = static_cast<float>(elementary::atan2(cross(a, b), dot(a, b)));
     price_[side] = seam_price(patch, side, weights);
-    if (!facts.image_outside.empty()) {
-      price_[side] -= weights.mirror * patch.length[side] * static_cast<double>(facts.image_outside[side]);
-    }
     if (!with_tabs_) {
       continue;
     }
@@ -143,18 +140,53 @@ void CutCosts::set_tree(const Folds& folds) {
   }
 }
 
-/// What it costs that the edge's mirror image is no cut where it is one; half of it where both are asked.
-double CutCosts::asymmetry(std::uint32_t side) const {
-  return side != no_index && is_asymmetric(side) ? mirror_price(side) : 0.0;
+double CutCosts::price_of_pair(std::uint32_t side, const SideImages& images) const {
+  return 0.5 * images_times_ * images.weight * weights_.mirror *
+         (patch_.length[side] + patch_.length[images.side[side]]);
 }
 
-void CutCosts::weigh_mirror(double times) {
+double CutCosts::asymmetry_price(std::uint32_t side) const {
+  double price = 0.0;
+  for (const SideImages& images : images_) {
+    price += images.side[side] == no_index ? 0.0 : price_of_pair(side, images);
+  }
+  return price;
+}
+
+/// What it costs that the edge's images are no cuts where it is one, or the other way round.
+double CutCosts::asymmetry(std::uint32_t side) const {
+  double cost = 0.0;
+  for (const SideImages& images : images_) {
+    const std::uint32_t image = images.side[side];
+    cost += image != no_index && cut_[side] != cut_[image] ? price_of_pair(side, images) : 0.0;
+  }
+  return cost;
+}
+
+/// The same for both edges of the swap that is being rated. Where one is the other's image their pair counts
+/// once.
+double CutCosts::asymmetry_of_changed() const {
+  if (changed_cut_ == no_index || changed_fold_ == no_index) {
+    const std::uint32_t side = std::min(changed_cut_, changed_fold_);
+    return side == no_index ? 0.0 : asymmetry(side);
+  }
+  double cost = asymmetry(changed_cut_) + asymmetry(changed_fold_);
+  for (const SideImages& images : images_) {
+    const std::uint32_t image = images.side[changed_cut_];
+    if (image != no_index && join_of(image) == changed_fold_ && cut_[image] != cut_[changed_cut_]) {
+      cost -= price_of_pair(changed_cut_, images);
+    }
+  }
+  return cost;
+}
+
+void CutCosts::weigh_images(double times) {
   double uneven = 0.0;
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
     uneven += join_of(side) == side && cut_[side] != 0 ? asymmetry(side) : 0.0;
   }
-  total_ += (times / mirror_times_ - 1.0) * uneven;
-  mirror_times_ = times;
+  total_ += (times / images_times_ - 1.0) * uneven;
+  images_times_ = times;
 }
 
 /// A band has to be opened once, at its longest rung or a shorter one.
@@ -291,14 +323,10 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   changed_fold_ = fold == no_index ? no_index : join_of(fold);
   note(cut);
   note_neighbours(cut);
-  const bool both_are_a_pair = !mirror_.empty() && changed_cut_ != no_index &&
-                               mirror_[changed_cut_] != no_index &&
-                               join_of(mirror_[changed_cut_]) == changed_fold_;
-  double mirror = both_are_a_pair ? 0.0 : -asymmetry(changed_cut_) - asymmetry(changed_fold_);
+  const double asymmetry_before = asymmetry_of_changed();
   set_cut(cut, 0);
   set_cut(fold, 1);
-  mirror += both_are_a_pair ? 0.0 : asymmetry(changed_cut_) + asymmetry(changed_fold_);
-  sum_ = mirror + change_of_bands();
+  sum_ = asymmetry_of_changed() - asymmetry_before + change_of_bands();
   note(fold);
   note_neighbours(fold);
   note_behind(changed_cut_);

@@ -2,6 +2,7 @@
 // What the cuts of a net cost, told by the angles of its outline alone, without laying anything flat.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -14,6 +15,14 @@
 
 namespace ridgecraft::unfold {
 
+/// What comes to lie on what when a patch is mirrored or turned.
+struct SideImages {
+  /// Per side: a side of the edge that is its image in the patch; `no_index` where there is none, or where it
+  /// is its own.
+  std::vector<std::uint32_t> side;
+  double weight = 1.0;  ///< as a share of Weights::mirror
+};
+
 /// What is known of a patch's sides before any of them is cut.
 struct CutFacts {
   /// Per side, or empty where tabs aren't wanted: the tabs that might grow there.
@@ -23,12 +32,8 @@ struct CutFacts {
   /// Per side, with candidates: 1 where it leads out of the patch and should give the tab.
   std::span<const std::uint8_t> seam;
   double clearance_mm = 0.0;  ///< of tabs
-  /// Per side, or empty: a side of the edge that is its mirror image in the patch; `no_index` where there is
-  /// none, or where it is its own.
-  std::span<const std::uint32_t> mirror = {};
-  /// Per side, or empty: 1 where the edge's mirror image lies outside the patch and is a cut, -1 where it is
-  /// a fold there, 0 for all others.
-  std::span<const std::int8_t> image_outside = {};
+  /// With each motion there is the one back.
+  std::span<const SideImages> images = {};
 };
 
 /// What an edge costs as a seam, mm: its length, more of it in the open and less in creases and hollows, less
@@ -44,9 +49,7 @@ struct CutFacts {
 ///   what lies farther off isn't seen. A hundred times as quick as TabState;
 /// - its length where it is a slit: its sides meet in the outline and open by less than 20 degrees (slits);
 /// - its length where it parts a band that is parted elsewhere, but for the longest rung (bands);
-/// - its length where its mirror image is no cut (mirror); where that lies outside the patch and is a cut it
-/// is
-///   so much cheaper instead.
+/// - its length where its image is no cut (mirror).
 class CutCosts {
  public:
   /// The patch and the facts must outlive this.
@@ -61,30 +64,24 @@ class CutCosts {
   /// Has neither side of this cut room for a tab?
   [[nodiscard]] bool lacks_tab(std::uint32_t side) const { return cost_[join_of(side)].lacks; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const { return cut_[side] != 0; }
-  /// Whether an edge's mirror image is a cut where it isn't, or the other way round.
+  /// Whether an image of an edge is a cut where it isn't, or the other way round.
   [[nodiscard]] bool is_asymmetric(std::uint32_t side) const {
-    return !mirror_.empty() && mirror_[side] != no_index && cut_[side] != cut_[mirror_[side]];
+    return std::any_of(images_.begin(), images_.end(), [&](const SideImages& images) {
+      return images.side[side] != no_index && cut_[side] != cut_[images.side[side]];
+    });
   }
   /// What making `cut` a fold and `fold` a cut adds to total(); either may be nothing. Must be followed by
   /// keep() or drop(). O(1) for vertices of ordinary valence.
   [[nodiscard]] double change(std::uint32_t cut, std::uint32_t fold);
   /// How much of the last change() is due to room for tabs.
   [[nodiscard]] double change_of_bare() const { return bare_sum_; }
-  /// What it costs, mm, that an edge is a cut and its mirror image isn't, or the other way round.
-  [[nodiscard]] double mirror_price(std::uint32_t side) const {
-    const std::uint32_t image = mirror_of(side);
-    return image == no_index
-               ? 0.0
-               : 0.5 * mirror_times_ * weights_.mirror * (patch_.length[side] + patch_.length[image]);
-  }
-  /// The mirror image of an edge, by a side; nothing where it has none.
-  [[nodiscard]] std::uint32_t mirror_of(std::uint32_t side) const {
-    return mirror_.empty() ? no_index : mirror_[side];
-  }
+  /// What it costs, mm, that an edge is a cut and none of its images is, or the other way round.
+  [[nodiscard]] double asymmetry_price(std::uint32_t side) const;
+  [[nodiscard]] std::span<const SideImages> images() const { return images_; }
   void keep();
   void drop();
-  /// Mirror images count so many times as much from now on, those within the patch. O(n).
-  void weigh_mirror(double times);
+  /// Images count so many times as much from now on. O(n).
+  void weigh_images(double times);
 
  private:
   struct Angles {
@@ -116,7 +113,9 @@ class CutCosts {
   [[nodiscard]] Ends ends_of(std::uint32_t side) const;
   [[nodiscard]] bool has_room(std::uint32_t side, const Ends& ends) const;
   [[nodiscard]] Cost cost_of(std::uint32_t join) const;
+  [[nodiscard]] double price_of_pair(std::uint32_t side, const SideImages& images) const;
   [[nodiscard]] double asymmetry(std::uint32_t side) const;
+  [[nodiscard]] double asymmetry_of_changed() const;
   [[nodiscard]] double band_cost(std::uint32_t band, double cut_mm) const;
   [[nodiscard]] double change_of_bands() const;
   void note(std::uint32_t side);
@@ -127,8 +126,8 @@ class CutCosts {
   const Weights weights_;
   const Bands bands_;
   const bool with_tabs_;
-  double mirror_times_ = 1.0;
-  std::span<const std::uint32_t> mirror_;
+  double images_times_ = 1.0;
+  std::span<const SideImages> images_;
   std::span<const std::vector<std::uint32_t>> across_;
   std::vector<std::vector<std::uint32_t>> behind_;  ///< per join: others whose tabs need it to be a fold
   std::vector<std::uint8_t> cut_;                   ///< per side: on the outline

@@ -34,7 +34,7 @@ class ForestEnergy {
   [[nodiscard]] double rated_bare() const { return cut_costs_.change_of_bare(); }
   void keep();
   void drop();
-  void weigh_mirror(double times) { cut_costs_.weigh_mirror(times); }
+  void weigh_images(double times) { cut_costs_.weigh_images(times); }
   [[nodiscard]] std::uint64_t work() const { return shape_.work(); }
   /// Whether all pieces that the rated move makes surely fit the room.
   [[nodiscard]] bool rated_fits() const;

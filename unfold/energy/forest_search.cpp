@@ -9,6 +9,7 @@
 
 #include "base/random.hpp"
 #include "unfold/energy/forest_energy.hpp"
+#include "unfold/energy/orbit.hpp"
 #include "unfold/folding/folding_meetings.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
@@ -36,9 +37,9 @@ constexpr double pieces_for_overlap = 4.0;
 constexpr double first_meeting_price = 10.0;
 constexpr double last_meeting_price = 100.0;
 
-/// Mirror images count so many times as much in the quick half where the exact one follows, which gives up
+/// Images count so many times as much in the quick half where the exact one follows, which gives up
 /// what isn't worth it: a walk that begins hot comes to rest asymmetric where a symmetric net costs no more.
-constexpr double mirror_times = 2.0;
+constexpr double images_times = 2.0;
 /// Faces whose shapes are measured for each trial, at most: where more are, the walk is as much shorter.
 constexpr double work_per_trial = 40.0;
 /// A move whose cuts alone cost more than may be spent is looked at no closer, except for so much, mm, and so
@@ -47,18 +48,18 @@ constexpr double least_slack = 4.0;
 constexpr double slack_of_heat = 2.0;
 /// By so much, mm, may angles be wrong about tabs.
 constexpr double exact_slack = 15.0;
-/// The first of two moves that are made together may cost so much more, mm, than both.
-constexpr double slack_of_pair = 4.0;
+/// Of moves that are made together those before the last may cost so much more, mm, than their share.
+constexpr double slack_of_orbit = 4.0;
 
 /// Moves that are tried at one cut.
 constexpr int moves_per_cut = 8;
-/// Share of the steps that begin at a cut without a tab, or without a mirror image, if a few draws find one.
+/// Share of the steps that begin at a cut without a tab, or without an image, if a few draws find one.
 constexpr double chosen_share = 0.4;
 constexpr int draws = 6;
 /// Share of the moves at a cut between two pieces that join them, and of all steps that split a piece.
 constexpr double join_share = 0.25;
 constexpr double split_share = 0.05;
-/// Share of the moves with a mirror image that are tried without it: of two flaps at one thread one may stay.
+/// Share of the moves with images that are tried without them: of two flaps at one thread one may stay.
 constexpr double single_share = 0.1;
 /// Steps of the exact half for each move that it looks at, at most: most find none.
 constexpr std::uint64_t exact_steps_per_trial = 10;
@@ -98,8 +99,7 @@ CutFacts facts_of(const ForestProblem& problem, const TabState* tabs) {
   if (tabs != nullptr) {
     facts = {tabs->candidates(), tabs->across(), tabs->seams(), problem.tabs.clearance_mm};
   }
-  facts.mirror = problem.mirror;
-  facts.image_outside = problem.image_outside;
+  facts.images = problem.images;
   return facts;
 }
 
@@ -191,29 +191,29 @@ class Search {
       best_ = start_;
     }
     if (state_.tabs && rules_.exact_trials > 0) {
-      energy_.weigh_mirror(mirror_times);
+      energy_.weigh_images(images_times);
     }
     const auto trials = static_cast<double>(rules_.quick_trials);
-    std::uint64_t trial = 0;
+    trials_ = 0;
     const auto spent = [&] {
-      return std::max(static_cast<double>(trial), static_cast<double>(energy_.work()) / work_per_trial) /
+      return std::max(static_cast<double>(trials_), static_cast<double>(energy_.work()) / work_per_trial) /
              trials;
     };
     for (std::uint64_t step = 0; rules_.quick_trials > 0 && spent() < 1.0 && !look_at_clock(step); ++step) {
       heat_ = between(rules_.first_heat, last_heat, spent());
       overlap_price_ = between(rules_.first_overlap_price, last_overlap_price_, spent());
       meeting_price_ = between(first_meeting_price, last_meeting_price, spent());
-      if (make_step(trial) && remember(energy_.total()) && rules_.until_it_fits) {
-        break;
+      if (make_step()) {
+        remember(energy_.total());
       }
     }
-    energy_.weigh_mirror(1.0);
+    energy_.weigh_images(1.0);
     split_what_is_wrong();
   }
 
   /// What still overlaps or doesn't fit comes apart where that costs least.
   void split_what_is_wrong() {
-    while (rules_.pieces_change) {
+    while (!rules_.folds_together) {
       const std::vector<std::uint32_t> folds = folds_of_a_fault();
       Move best;
       double least = std::numeric_limits<double>::infinity();
@@ -265,8 +265,7 @@ class Search {
          looked_at_ < rules_.exact_trials && step < most_steps && !look_at_clock(step); ++step) {
       heat_ = between(exact_first_heat, exact_last_heat,
                       static_cast<double>(looked_at_) / static_cast<double>(rules_.exact_trials));
-      std::uint64_t trial = 0;
-      if (make_step(trial)) {
+      if (make_step()) {
         remember(state_.exact_total());
       }
     }
@@ -276,19 +275,17 @@ class Search {
     return overlaps_.total() == 0 && (!meetings_ || meetings_->total() == 0);
   }
 
-  bool remember(double total) {
+  void remember(double total) {
     if (is_allowed() && total < least_ - better_by && energy_.all_fit()) {
       least_ = total;
       best_ = forest_.folds();
-      return true;
     }
-    return false;
   }
 
   /// Tries moves at one cut, or a split, until one is made.
-  bool make_step(std::uint64_t& trials) {
-    ++trials;
-    if (rules_.pieces_change && random_.unit() < split_share) {
+  bool make_step() {
+    ++trials_;
+    if (!rules_.folds_together && random_.unit() < split_share) {
       const std::optional<Move> split = draw_split();
       return split && propose(*split);
     }
@@ -296,7 +293,7 @@ class Search {
       return false;
     }
     const std::uint32_t cut = draw_cut();
-    for (int i = 0; i < moves_per_cut; ++i, ++trials) {
+    for (int i = 0; i < moves_per_cut; ++i, ++trials_) {
       const std::optional<Move> move = draw_move(cut);
       if (move && propose(*move)) {
         return true;
@@ -337,7 +334,7 @@ class Search {
     std::uint32_t from = cut / 3;
     std::uint32_t to = patch_.twin[cut] / 3;
     if (forest_.tree_of(from) != forest_.tree_of(to)) {
-      if (rules_.pieces_change && random_.unit() < join_share) {
+      if (random_.unit() < join_share) {
         return Move{no_index, cut};
       }
       if (random_.below(2) == 0) {
@@ -351,8 +348,11 @@ class Search {
 
   bool propose(const Move& move) {
     const double may_cost = -heat_ * elementary::log(1.0 - random_.unit());
-    if (const std::optional<Move> image = mirror_image(move); image && random_.unit() >= single_share) {
-      return make_both(move, *image, may_cost);
+    if (!rules_.folds_together) {
+      find_orbit(move, patch_, energy_.cut_costs(), orbit_);
+      if (orbit_.size() > 1 && random_.unit() >= single_share) {
+        return make_orbit(may_cost);
+      }
     }
     if (!make(move, may_cost)) {
       return false;
@@ -463,10 +463,6 @@ class Search {
 
   void unmake(const Move& back) {
     static_cast<void>(energy_.rate(back, std::numeric_limits<double>::infinity()));
-    if (meetings_) {
-      static_cast<void>(meetings_after(back, std::numeric_limits<std::size_t>::max()));
-      meetings_->keep(forest_.folds());
-    }
     if (exact_) {
       state_.tabs->make(back);
     } else {
@@ -476,37 +472,37 @@ class Search {
     energy_.keep();
   }
 
-  /// The mirror image of a move, where what it opens and closes has one that is what it is, but not itself.
-  [[nodiscard]] std::optional<Move> mirror_image(const Move& move) const {
+  /// All moves of orbit_, or none.
+  bool make_orbit(double may_cost) {
+    // Each costs its share and, until all are made, what makes the forest asymmetric.
     const CutCosts& costs = energy_.cut_costs();
-    const auto image_of = [&](std::uint32_t side, bool cut) {
-      const std::uint32_t image = costs.mirror_of(side);
-      const bool same = image != no_index && costs.is_cut(image) == cut && patch_.frozen[image] == 0 &&
-                        edge_of(image) != edge_of(side);
-      return same ? image : no_index;
-    };
-    const Move image{move.opened == no_index ? no_index : image_of(move.opened, false),
-                     move.closed == no_index ? no_index : image_of(move.closed, true)};
-    const bool whole = (image.opened == no_index) == (move.opened == no_index) &&
-                       (image.closed == no_index) == (move.closed == no_index);
-    return whole ? std::optional(image) : std::nullopt;
-  }
-
-  bool make_both(const Move& move, const Move& image, double may_cost) {
-    // Alone it costs what makes the forest asymmetric; that is won back by its image.
-    const CutCosts& costs = energy_.cut_costs();
-    const double uneven = (move.closed != no_index ? costs.mirror_price(move.closed) : 0.0) +
-                          (move.opened != no_index ? costs.mirror_price(move.opened) : 0.0);
-    const std::optional<double> first = make(move, uneven + std::max(0.0, may_cost) + slack_of_pair);
-    if (!first) {
+    const Move& first = orbit_.front();
+    const double uneven = (first.closed != no_index ? costs.asymmetry_price(first.closed) : 0.0) +
+                          (first.opened != no_index ? costs.asymmetry_price(first.opened) : 0.0);
+    const double share = may_cost / static_cast<double>(orbit_.size());
+    double spent = 0.0;
+    std::size_t made = 0;
+    for (; made < orbit_.size(); ++made) {
+      const auto unpaired = static_cast<double>(std::min(made + 1, orbit_.size() - made - 1));
+      const double most = share * static_cast<double>(made + 1) - spent + unpaired * uneven +
+                          (unpaired > 0.0 ? slack_of_orbit : 0.0);
+      const std::optional<double> cost =
+          made == 0 || forest_.is_legal(orbit_[made]) ? make(orbit_[made], most) : std::nullopt;
+      if (!cost) {
+        break;
+      }
+      spent += *cost;
+    }
+    trials_ += made;
+    if (made < orbit_.size()) {
+      while (made > 0) {
+        unmake(orbit_[--made].inverse());
+      }
       return false;
     }
-    if (!forest_.is_legal(image) || !make(image, may_cost - *first)) {
-      unmake(move.inverse());
-      return false;
+    for (const Move& move : orbit_) {
+      note(move);
     }
-    note(move);
-    note(image);
     return true;
   }
 
@@ -524,8 +520,10 @@ class Search {
   std::optional<FoldingMeetings> meetings_;
   EdgeSet cuts_;
   EdgeSet folds_;
+  std::vector<Move> orbit_;           ///< moves that are made together
   std::vector<std::uint32_t> moved_;  ///< space to work in
   bool exact_ = false;
+  std::uint64_t trials_ = 0;     ///< moves of the quick half
   std::uint64_t looked_at_ = 0;  ///< moves of the exact half
   double heat_ = 0.0;
   double overlap_price_ = 0.0;
@@ -563,6 +561,21 @@ std::optional<double> exact_cost(const ForestProblem& problem, const Folds& fold
     state.tabs->renew_all();
   }
   return state.exact_total();
+}
+
+double bare_share(const ForestProblem& problem, const Folds& folds) {
+  State state(problem, folds);
+  if (!state.tabs) {
+    return 0.0;
+  }
+  state.tabs->renew_all();
+  double cut_mm = 0.0;
+  for (std::uint32_t side = 0; side < problem.patch.twin.size(); ++side) {
+    if (state.tabs->is_cut(side) && state.tabs->join_of(side) == side) {
+      cut_mm += problem.patch.length[side];
+    }
+  }
+  return cut_mm > 0.0 ? 1.0 - state.tabs->held_mm() / cut_mm : 0.0;
 }
 
 }  // namespace ridgecraft::unfold

@@ -14,6 +14,7 @@
 #include "base/elementary.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "unfold/energy/cut_costs.hpp"
 #include "unfold/patch/problem.hpp"
 
 namespace ridgecraft::unfold {
@@ -27,9 +28,8 @@ struct ForestProblem {
   const TabOptions& tabs;
   const Room& room;
   const Weights& weights;
-  /// As CutFacts::mirror and image_outside; empty without symmetry.
-  std::span<const std::uint32_t> mirror = {};
-  std::span<const std::int8_t> image_outside = {};
+  /// As in CutFacts; empty without symmetry.
+  std::span<const SideImages> images = {};
 };
 
 struct SearchRules {
@@ -41,12 +41,9 @@ struct SearchRules {
   double first_heat = 20.0;
   /// Price of an overlap at the beginning, mm: how freely pieces are joined whose net is repaired later.
   double first_overlap_price = 20.0;
-  /// Whether pieces may be joined and split. Otherwise their number stays.
-  bool pieces_change = true;
-  /// Whether each piece must fold up with all creases together: only for a forest of one tree.
+  /// Whether the forest is one tree that stays one and must fold up with all creases together. Its moves are
+  /// made without their images: looking at how all of these fold takes eight times as long for nothing.
   bool folds_together = false;
-  /// The quick half ends with the first forest that is allowed.
-  bool until_it_fits = false;
 };
 
 /// The trials for so many faces of which each is worth `trials_per_face`: fewer for each where there are
@@ -54,13 +51,17 @@ struct SearchRules {
 [[nodiscard]] SearchRules rules_for(double trials_per_face, std::uint32_t faces);
 
 /// The best forest without overlap that fits the room which the search comes to from `start`; `start` itself
-/// where it comes to none, or to none that costs less. Mirror images of moves are made together.
-/// Deterministic for one seed except for the deadline. Throws Error(interrupted).
+/// where it comes to none, or to none that costs less. A move is made together with its images. Deterministic
+/// for one seed except for the deadline. Throws Error(interrupted).
 [[nodiscard]] Folds search_forest(const ForestProblem& problem, const Folds& start, const SearchRules& rules,
                                   std::uint64_t seed, const Context& context);
 
 /// What a forest costs with its tabs as they are, mm; nothing where it doesn't fit the room. O(n log n).
 [[nodiscard]] std::optional<double> exact_cost(const ForestProblem& problem, const Folds& folds);
+
+/// The share of the length of a forest's cuts that has no usable tab, with the tabs as they are; 0 where none
+/// are wanted. O(n log n).
+[[nodiscard]] double bare_share(const ForestProblem& problem, const Folds& folds);
 
 /// A value between two, in equal ratios for equal steps of `share` from 0 to 1.
 [[nodiscard]] inline double between(double first, double last, double share) {

@@ -78,10 +78,10 @@ enum class NoTab {
 /// The contract's `why`: "edge_too_short"; with "no_tab_" before it the code of its message.
 [[nodiscard]] std::string_view name(NoTab reason);
 
-/// Two cut edges that are one edge of the surface. `number` is printed on both.
+/// Two cut edges that are one edge of the surface.
 struct Join {
   EdgeId edge;
-  std::uint32_t number = 0;  ///< from 1
+  std::uint32_t number = 0;  ///< of its chain (chains.hpp), from 1
   TabId tab;                 ///< none: see no_tab
   NoTab no_tab = NoTab::not_wanted;
   /// It has no usable tab (tabs/shape/shapes.hpp) because neither flat region behind it is wide enough for
@@ -131,7 +131,7 @@ struct Nets {
 };
 
 /// Whether a tab is one beyond that of its join: a second one on the other side, one at an edge that is glued
-/// to nothing (tabs/place/missing_tabs.hpp), or a further one for a slit on a long edge.
+/// to nothing (tabs/place/more_tabs.hpp), or a further one for a slit on a long edge.
 [[nodiscard]] inline bool is_additional(const Nets& nets, TabId tab) {
   const JoinId join = nets.tabs[tab].join;
   return !join.valid() || nets.joins[join].tab != tab;
@@ -159,15 +159,7 @@ struct Nets {
   return broken;
 }
 
-// Names of pieces and numbers of joins, in an order that a person can follow.
-
 /// A, B, ... Z, AA, AB, ... for 0, 1, ...
 [[nodiscard]] std::string piece_name(std::size_t number);
-
-/// Makes a join of every cut edge. Numbers follow the seams on the model: parts in their order, in each part
-/// along the cuts from edge to neighbouring edge, staying between the same two pieces and going straight on
-/// where that is possible, so that neighbours on the model have neighbouring numbers. Needs use, piece and
-/// pieces of `nets`. O(n log n).
-void number_joins(const mesh::Surface& surface, Nets& nets);
 
 }  // namespace ridgecraft::unfold

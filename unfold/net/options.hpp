@@ -56,14 +56,14 @@ struct Weights {
   double seam = 1.0;      ///< each mm of seam
   double bare = 2.5;      ///< each mm of seam without room for a tab that holds
   double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
-  double mirror = 1.5;    ///< each mm of seam whose mirror image is none
+  double mirror = 1.5;    ///< each mm of seam whose image, mirrored or turned, is none
   double bands = 1.0;     ///< each mm of seam across a closed strip beyond one
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double borders = 0.7;   ///< each mm of fold where colours or names of the model meet
   double compact = 4.5;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.5;   ///< square of a piece's outline, over 1000 mm
   double thin = 0.5;      ///< necks: mm by which what hangs on one is wider than three times its own width
-  double pieces = 320.0;  ///< each piece
+  double pieces = 360.0;  ///< each piece
   double parts = 50.0;    ///< each part beyond the first that a piece has faces of
   double small = 1200.0;  ///< pieces less than 30 mm wide: by the share that is missing
   double panels = 800.0;  ///< square of a piece's flat regions over 80
@@ -186,7 +186,8 @@ struct TabOptions {
   [[nodiscard]] bool on_all_edges() const { return wanted && split_pieces; }
 };
 
-/// What may be cut where a part has no single net with all its flat regions (panels) whole.
+/// What may be cut where a part has no single net with all its flat regions (panels) whole. It is asked in
+/// PieceMode::few alone: no other mode looks for single nets.
 enum class PanelCuts {
   only_if_too_large,  ///< a piece is added before a panel is cut: what makers want
   before_pieces,      ///< a panel is cut before a piece is added: the fewest pieces

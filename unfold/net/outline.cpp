@@ -26,15 +26,6 @@ Vec2 start(const Nets& nets, CornerId c) {
   return nets.flat[mesh::face_of(c)][c.value() % 3];
 }
 
-/// The boundary side that follows side c around the piece: through all folds of the fan at c's end.
-CornerId next_boundary(const mesh::Surface& surface, const Nets& nets, CornerId c) {
-  CornerId d = mesh::next(c);
-  while (nets.use[surface.edge(d)] == EdgeUse::fold) {
-    d = mesh::next(surface.twin(d));
-  }
-  return d;
-}
-
 /// Where the corners of a fan lie apart, as in nets of board, the chain goes over all of them; mm.
 constexpr double apart_mm = 1e-6;
 
@@ -87,6 +78,14 @@ std::vector<std::vector<Vec2>> slits_in(const mesh::Surface& surface, const Nets
 }
 
 }  // namespace
+
+CornerId next_boundary(const mesh::Surface& surface, const Nets& nets, CornerId c) {
+  CornerId d = mesh::next(c);
+  while (nets.use[surface.edge(d)] == EdgeUse::fold) {
+    d = mesh::next(surface.twin(d));
+  }
+  return d;
+}
 
 std::vector<std::vector<Vec2>> outline(const mesh::Surface& surface, const Nets& nets, PieceId piece) {
   const std::map<CornerId, std::vector<const Tab*>> tabs = tabs_of(nets, piece);

@@ -31,6 +31,10 @@ struct CutLines {
 /// along), and a tenth of what a knife or a printer can place.
 inline constexpr double touch_tolerance_mm = 0.0105;
 
+/// The boundary side that follows side c, which is one, around its piece: through all folds of the fan at c's
+/// end.
+[[nodiscard]] CornerId next_boundary(const mesh::Surface& surface, const Nets& nets, CornerId c);
+
 /// Closed polygons that bound a piece with its tabs, mm, in the plane of the piece; the last corner is joined
 /// to the first. The outer one comes first and runs counterclockwise, holes of the patch follow and run
 /// clockwise. The chain is the exact one of the net's boundary edges: it goes on from a corner to the corner

@@ -184,6 +184,11 @@ using Folds = std::vector<std::uint8_t>;
 /// Pairs of faces.
 using FacePairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
+/// The surface's edge at a side of a patch.
+[[nodiscard]] inline EdgeId edge_of(const mesh::Surface& surface, const Patch& patch, std::uint32_t side) {
+  return surface.edge(mesh::corner(patch.face[side / 3], side % 3));
+}
+
 /// The sets of faces that hang together, of one part each where the part of each face is given. O(n).
 [[nodiscard]] DisjointSets connected_faces(const Patch& patch, std::span<const PartId> part = {});
 

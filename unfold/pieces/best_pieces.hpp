@@ -2,16 +2,19 @@
 // The search for the pieces of a surface, body by body.
 #pragma once
 
+#include <span>
+
 #include "base/context.hpp"
 #include "base/id.hpp"
 #include "unfold/patch/problem.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
 
 /// The best forest that the search (energy/forest_search.hpp) comes to from `folds`, whose trees must be
-/// allowed: each body by itself, bodies that are mirror images of each other together. `mirrored`:
-/// of each edge, or empty. Independent of the number of threads. Throws Error(interrupted).
+/// allowed: each body by itself, bodies that are images of each other together. Independent of the
+/// number of threads. Throws Error(interrupted).
 [[nodiscard]] Folds best_pieces(const NetProblem& problem, const Folds& folds,
-                                const IdVector<EdgeId, EdgeId>& mirrored, const Context& context);
+                                std::span<const EdgeImages> images, const Context& context);
 
 }  // namespace ridgecraft::unfold

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -13,7 +13,7 @@
 #include "unfold/net/options.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/symmetry.hpp"
 #include "unfold/search/free_folding.hpp"
 
 namespace ridgecraft::unfold {
@@ -26,26 +26,18 @@ constexpr double worth_of_free_folding_mm = 100.0;
 constexpr double trials_again = 0.16;
 constexpr double first_heat = 8.0;
 
-/// What surrounds a piece.
-struct Surroundings {
-  const Folds& folds;
-  const IdVector<EdgeId, EdgeId>& mirrored;
-  const IdVector<EdgeId, InForest> edges;
-};
-
 /// A tree of one piece that folds up with all creases together, where one is worth it; else the one it has.
-Folds improved(const NetProblem& problem, const Surroundings& around, const std::vector<std::uint32_t>& faces,
-               Random random, const Context& context) {
+Folds improved(const NetProblem& problem, const Folds& folds, std::span<const EdgeImages> images_of_edges,
+               const std::vector<std::uint32_t>& faces, const Context& context) {
+  Random random(context.seed);
   const Patch piece = sub_patch(problem.patch, faces);
-  Folds given = sub_folds(problem.patch, around.folds, faces);
+  Folds given = sub_folds(problem.patch, folds, faces);
   if (folds_together(piece, given, context)) {
     return given;
   }
-  const std::vector<std::uint32_t> mirror = mirror_sides(problem.surface, piece, around.mirrored);
-  const std::vector<std::int8_t> outside =
-      images_outside(problem.surface, piece, around.mirrored, around.edges);
-  const ForestProblem own{problem.surface, problem.panels,    piece,  {},     problem.options.tabs,
-                          problem.room,    problem.weights(), mirror, outside};
+  const std::vector<SideImages> images = images_of_sides(problem.surface, piece, images_of_edges);
+  const ForestProblem own{problem.surface, problem.panels,    piece, {}, problem.options.tabs,
+                          problem.room,    problem.weights(), images};
   const auto cost = [&](const Folds& tree) { return exact_cost(own, tree); };
   const double infinite = std::numeric_limits<double>::infinity();
   const double tolerance = net_tolerance(piece.extent);
@@ -56,7 +48,6 @@ Folds improved(const NetProblem& problem, const Surroundings& around, const std:
   }
   SearchRules rules = rules_for(trials_again * problem.options.pieces.trials_per_face, piece.size());
   rules.first_heat = first_heat;
-  rules.pieces_change = false;
   rules.folds_together = true;
   Folds tree = search_forest(own, *free, rules, random.next(), context);
   if (!folds_together(piece, tree, context)) {
@@ -66,53 +57,54 @@ Folds improved(const NetProblem& problem, const Surroundings& around, const std:
   return cost(tree).value_or(infinite) <= cost(given).value_or(infinite) + worth ? tree : given;
 }
 
-/// For each piece an earlier one that is its mirror image, faces and folds, or its own number.
-std::vector<std::size_t> images_of_pieces(const mesh::Surface& surface, const Patch& patch,
-                                          const Folds& folds,
-                                          const std::vector<std::vector<std::uint32_t>>& pieces,
-                                          const IdVector<EdgeId, EdgeId>& mirrored) {
-  std::vector<std::size_t> image(pieces.size());
-  std::iota(image.begin(), image.end(), std::size_t{0});
-  if (mirrored.empty()) {
-    return image;
-  }
-  const auto edge_of = [&](std::uint32_t side) {
-    return surface.edge(mesh::corner(patch.face[side / 3], side % 3));
-  };
+/// An earlier piece that is a piece's image, faces and folds.
+struct ImageOfPiece {
+  std::size_t piece = 0;
+  const EdgeImages* at = nullptr;  ///< where there is one
+};
+
+std::vector<ImageOfPiece> images_of_pieces(const mesh::Surface& surface, const Patch& patch,
+                                           const Folds& folds,
+                                           const std::vector<std::vector<std::uint32_t>>& pieces,
+                                           std::span<const EdgeImages> images) {
+  std::vector<ImageOfPiece> result(pieces.size());
   IdVector<EdgeId, std::size_t> folded_in(surface.edge_count(), pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (const std::uint32_t f : pieces[i]) {
       for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
         if (folds[side] != 0) {
-          folded_in[edge_of(side)] = i;
+          folded_in[edge_of(surface, patch, side)] = i;
         }
       }
     }
   }
-  const auto where_image_is = [&](std::size_t i) {
+  const auto where_image_is = [&](std::size_t i, const EdgeImages& at) {
     for (const std::uint32_t f : pieces[i]) {
       for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-        if (folds[side] != 0 && mirrored[edge_of(side)].valid()) {
-          return folded_in[mirrored[edge_of(side)]];
+        if (folds[side] != 0 && at.edge[edge_of(surface, patch, side)].valid()) {
+          return folded_in[at.edge[edge_of(surface, patch, side)]];
         }
       }
     }
     return i;
   };
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::size_t other = where_image_is(i);
-    if (other < i && pieces[other].size() == pieces[i].size() &&
-        carried_over(surface, sub_patch(patch, pieces[other]), sub_folds(patch, folds, pieces[other]),
-                     sub_patch(patch, pieces[i]), mirrored)) {
-      image[i] = other;
+    for (const EdgeImages& at : images) {
+      const std::size_t other = where_image_is(i, at);
+      if (other < i && pieces[other].size() == pieces[i].size() &&
+          carried_over(surface, sub_patch(patch, pieces[other]), sub_folds(patch, folds, pieces[other]),
+                       sub_patch(patch, pieces[i]), at.edge)) {
+        result[i] = {other, &at};
+        break;
+      }
     }
   }
-  return image;
+  return result;
 }
 
 }  // namespace
 
-Folds foldable_trees(const NetProblem& problem, const Folds& folds, const IdVector<EdgeId, EdgeId>& mirrored,
+Folds foldable_trees(const NetProblem& problem, const Folds& folds, std::span<const EdgeImages> images,
                      const Context& context) {
   const mesh::Surface& surface = problem.surface;
   const Patch& patch = problem.patch;
@@ -120,19 +112,18 @@ Folds foldable_trees(const NetProblem& problem, const Folds& folds, const IdVect
   for (std::vector<std::uint32_t>& faces : pieces) {
     std::sort(faces.begin(), faces.end());
   }
-  const std::vector<std::size_t> image = images_of_pieces(surface, patch, folds, pieces, mirrored);
-  const Surroundings around{folds, mirrored, edges_in_forest(surface, patch, folds)};
+  const std::vector<ImageOfPiece> image = images_of_pieces(surface, patch, folds, pieces, images);
   std::vector<Folds> trees(pieces.size());
-  const auto improve = [&](std::size_t i, const Context& own) {
+  const auto improve = [&](std::size_t i, Context own) {
     // Parts were unfolded with the streams of the seed itself.
-    const Random random = Random::stream(~context.seed, i);
+    own.seed = Random::stream(~context.seed, i).next();
     trees[i] = own.out_of_grace() ? sub_folds(patch, folds, pieces[i])
-                                  : improved(problem, around, pieces[i], random, own);
+                                  : improved(problem, folds, images, pieces[i], own);
   };
   do_in_parallel(
       pieces.size(), context,
       [&](std::size_t i, const Context& own) {
-        if (image[i] == i) {
+        if (image[i].at == nullptr) {
           improve(i, own);
         }
       },
@@ -140,12 +131,12 @@ Folds foldable_trees(const NetProblem& problem, const Folds& folds, const IdVect
         context.report("unfold", 0.8 + 0.2 * static_cast<double>(done) / static_cast<double>(pieces.size()));
       });
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (image[i] == i) {
+    if (image[i].at == nullptr) {
       continue;
     }
     const Patch own = sub_patch(patch, pieces[i]);
-    const std::optional<Folds> tree =
-        carried_over(surface, sub_patch(patch, pieces[image[i]]), trees[image[i]], own, mirrored);
+    const std::optional<Folds> tree = carried_over(surface, sub_patch(patch, pieces[image[i].piece]),
+                                                   trees[image[i].piece], own, image[i].at->edge);
     // The image may be off by what the eye doesn't see, but a net may not.
     if (tree && all_fit(own, *tree, problem.room) &&
         find_overlaps(lay_out(own, *tree), net_tolerance(own.extent)).empty()) {

@@ -11,7 +11,7 @@
 #include "base/disjoint_sets.hpp"
 #include "unfold/energy/bands.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/pieces/mirror_images.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
@@ -179,7 +179,7 @@ std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Pa
   std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     if (bands.band[side] != no_index && side < patch.twin[side]) {
-      edges[bands.band[side]].push_back(surface.edge(mesh::corner(patch.face[side / 3], side % 3)));
+      edges[bands.band[side]].push_back(edge_of(surface, patch, side));
     }
   }
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
@@ -192,8 +192,8 @@ std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Pa
 
 class Seams {
  public:
-  Seams(const mesh::Surface& surface, const MirrorImages& images)
-      : surface_(surface), images_(images), chosen_(surface.edge_count(), 0) {}
+  Seams(const mesh::Surface& surface, const Symmetry& symmetry)
+      : surface_(surface), symmetry_(symmetry), chosen_(surface.edge_count(), 0) {}
 
   /// The rung at which a band is cut: the image of the one at which its mirror image is, else the nearest to
   /// the plane. (Of rungs equally near, the farthest along two odd directions: which it is depends on nothing
@@ -212,7 +212,9 @@ class Seams {
   }
 
  private:
-  [[nodiscard]] EdgeId image_of(EdgeId e) const { return images_.edge.empty() ? EdgeId() : images_.edge[e]; }
+  [[nodiscard]] EdgeId image_of(EdgeId e) const {
+    return symmetry_.plane ? symmetry_.images.front().edge[e] : EdgeId();
+  }
 
   /// Smaller is better.
   [[nodiscard]] std::tuple<double, double, EdgeId> place(EdgeId e) const {
@@ -221,20 +223,22 @@ class Seams {
         0.5 * (surface_.point(surface_.vertex(c)) + surface_.point(surface_.vertex(mesh::next(c))));
     // Equal but for rounding is equal.
     const double unit = 1e-6 * surface_.bounds().largest_extent();
-    const double off = images_.edge.empty() ? 0.0 : std::abs(images_.plane.height(middle));
+    const double off = symmetry_.plane ? std::abs(symmetry_.plane->height(middle)) : 0.0;
     return {std::round(off / unit), std::round(-(middle.y + 0.01 * middle.x) / unit), e};
   }
 
   const mesh::Surface& surface_;
-  const MirrorImages& images_;
+  const Symmetry& symmetry_;
   IdVector<EdgeId, std::uint8_t> chosen_;
 };
 
 }  // namespace
 
-EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
-                                std::span<const std::uint32_t> labels, const EdgeConstraints& constraints,
-                                const Weights& weights) {
+EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& symmetry) {
+  const mesh::Surface& surface = problem.surface;
+  const prepare::Panels& panels = problem.panels;
+  const EdgeConstraints& constraints = problem.options.constraints;
+  const Weights& weights = problem.options.pieces.weights;
   if (weights.bands <= 0.0) {
     return constraints;
   }
@@ -242,7 +246,7 @@ EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Pan
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
-  const Patch patch = make_patch(surface, panels, faces, constraints.items(), labels);
+  const Patch patch = make_patch(surface, panels, faces, constraints.items(), problem.options.labels.items());
   const Bands bands = find_bands(patch);
   if (bands.empty()) {
     return constraints;
@@ -254,8 +258,7 @@ EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Pan
     const PanelId b = panels.panel[mesh::face_of(d)];
     return {std::min(a, b), std::max(a, b)};
   };
-  const MirrorImages images = mirror_images(surface, weights);
-  Seams seams(surface, images);
+  Seams seams(surface, symmetry);
   EdgeConstraints result =
       constraints.empty() ? EdgeConstraints(surface.edge_count(), EdgeConstraint::none) : constraints;
   const std::vector<std::vector<EdgeId>> edges = edges_of(surface, patch, bands);

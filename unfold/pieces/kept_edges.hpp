@@ -12,6 +12,7 @@
 #include "unfold/net/edge_constraints.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/problem.hpp"
+#include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
 
@@ -33,10 +34,8 @@ struct KeptEdges {
 /// that is wide: by Weights::bands at least 1.1 times as wide as its regions are long on average. A narrower
 /// one may as well hang on a disk in single flaps. Of a band that goes all the way round one rung stays free,
 /// its seam: as near to the mirror plane as any lies, mirrored where bands are mirrored. Bands with a rung
-/// that has a constraint, or where labels (per face, or empty) meet, are left as they are. Nothing
+/// that has a constraint, or where labels meet, are left as they are. Nothing
 /// is added where Weights::bands is 0. O(n log n).
-[[nodiscard]] EdgeConstraints with_bands_kept(const mesh::Surface& surface, const prepare::Panels& panels,
-                                              std::span<const std::uint32_t> labels,
-                                              const EdgeConstraints& constraints, const Weights& weights);
+[[nodiscard]] EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& symmetry);
 
 }  // namespace ridgecraft::unfold

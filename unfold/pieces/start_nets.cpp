@@ -14,15 +14,25 @@
 namespace ridgecraft::unfold {
 namespace {
 
-NetFound first_net(const Patch& patch, const StartRules& rules, Random& random, const Context& context) {
-  const std::uint32_t n = patch.size();
-  const Folds start = start_tree(patch, random);
-  return find_net(patch, start, {rules.tolerance, rules.patient ? patient_trials(n) : quick_trials(n)},
-                  random.next(), context);
-}
-
 bool has_panels(const Patch& patch) {
   return std::any_of(patch.frozen.begin(), patch.frozen.end(), [](std::uint8_t f) { return f != 0; });
+}
+
+/// The best tree that the search for one net comes to.
+Folds searched_tree(const Patch& patch, const StartRules& rules, Random& random, const Context& context) {
+  const auto search = [&](const Patch& of) {
+    const Folds start = start_tree(of, random);
+    return find_net(of, start, rules.tolerance, random.next(), context);
+  };
+  NetFound net = search(patch);
+  if (net.overlaps > 0 && rules.panel_cuts == PanelCuts::before_pieces && has_panels(patch)) {
+    Patch loose = patch;
+    std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
+    if (NetFound other = search(loose); other.overlaps == 0) {
+      net = std::move(other);
+    }
+  }
+  return std::move(net.folds);
 }
 
 }  // namespace
@@ -30,15 +40,7 @@ bool has_panels(const Patch& patch) {
 Folds start_nets(const Patch& patch, const Room& room, const StartRules& rules, std::uint64_t seed,
                  const Context& context) {
   Random random(seed);
-  NetFound net = first_net(patch, rules, random, context);
-  if (net.overlaps > 0 && rules.panel_cuts == PanelCuts::before_pieces && has_panels(patch)) {
-    Patch loose = patch;
-    std::fill(loose.frozen.begin(), loose.frozen.end(), std::uint8_t{0});
-    if (NetFound other = first_net(loose, rules, random, context); other.overlaps == 0) {
-      net = std::move(other);
-    }
-  }
-  Folds folds = std::move(net.folds);
+  Folds folds = rules.one_net ? searched_tree(patch, rules, random, context) : start_tree(patch, random);
   if (!all_fit(patch, folds, room)) {
     folds = split_to_fit(patch, folds, room, random, context);
   }

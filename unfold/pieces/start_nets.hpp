@@ -13,15 +13,14 @@ namespace ridgecraft::unfold {
 
 /// How nets are begun with.
 struct StartRules {
-  double tolerance = 0.0;  ///< of overlap, mm
-  PanelCuts panel_cuts = PanelCuts::only_if_too_large;
-  /// Whether a net is searched for until it is given up; else only as long as most take.
-  bool patient = false;
+  double tolerance = 0.0;                               ///< of overlap, mm
+  PanelCuts panel_cuts = PanelCuts::only_if_too_large;  ///< where one net is searched for
+  /// Whether one net is searched for; else it is the tree of the shortest cuts.
+  bool one_net = false;
 };
 
-/// A forest of a connected patch: one net where one is found and fits, else that with the fewest overlaps,
-/// cut until nothing overlaps and all fits. Every panel must fit the room by itself. Deterministic for one
-/// seed but for the deadline. Throws Error(interrupted).
+/// A forest of a connected patch: one tree, cut until nothing overlaps and all fits. Every panel must fit the
+/// room by itself. Deterministic for one seed but for the deadline. Throws Error(interrupted).
 [[nodiscard]] Folds start_nets(const Patch& patch, const Room& room, const StartRules& rules,
                                std::uint64_t seed, const Context& context);
 

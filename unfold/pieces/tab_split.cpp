@@ -2,254 +2,139 @@
 #include "unfold/pieces/tab_split.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cstdint>
+#include <limits>
+#include <optional>
 #include <set>
-#include <utility>
+#include <tuple>
 #include <vector>
 
-#include "base/elementary.hpp"
-#include "unfold/patch/patch.hpp"
-#include "unfold/patch/tree.hpp"
-#include "unfold/tabs/place/missing_tabs.hpp"
+#include "unfold/search/forest.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
+#include "unfold/tabs/trees/tabs_of_tree.hpp"
 
 namespace ridgecraft::unfold {
 namespace {
 
-/// A place from which a share s of what stands in the way is cut off is worth s to this power: one cut that
-/// frees a tab is better than many that nearly do.
-constexpr int sharpness = 3;
-/// A cut that can't have a tab itself costs so much of one.
-constexpr double narrow_cut = 0.7;
-/// What a cut of this length costs more than a short one, in tabs: only to choose among equals.
-constexpr double cost_of_length = 1e-4;  // per mm
+/// A cut by one of its sides.
+using Cut = std::uint32_t;
 
-/// All trees of a forest at once.
-struct RootedForest {
-  std::vector<std::uint32_t> up;     ///< per face: its side to its parent; nothing at a root
-  std::vector<std::uint32_t> depth;  ///< per face
-
-  RootedForest(const Patch& patch, const Folds& folds) : up(patch.size()), depth(patch.size(), no_index) {
-    std::vector<std::uint32_t> place(patch.size());
-    for (std::uint32_t root = 0; root < patch.size(); ++root) {
-      if (depth[root] != no_index) {
-        continue;
-      }
-      const RootedTree tree = rooted_tree(patch, folds, root, place);
-      for (std::size_t i = 0; i < tree.order.size(); ++i) {
-        up[tree.order[i]] = tree.up[i];
-        depth[tree.order[i]] = i == 0 ? 0 : depth[tree.order[tree.parent[i]]] + 1;
-      }
-    }
-  }
-};
-
-class Chooser {
+class Splitter {
  public:
-  Chooser(const ForestWithGaps& forest, const Context& context)
-      : surface_(forest.surface),
-        patch_(forest.patch),
-        tab_gaps_(forest.tab_gaps),
+  Splitter(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of, const Context& context)
+      : surface_(problem.surface),
+        patch_(problem.patch),
+        options_(problem.options.tabs),
+        nets_of_(nets_of),
         context_(context),
-        forest_(patch_, forest.folds),
-        sum_(patch_.twin.size(), 0.0) {
-    for (const TabGap& gap : forest.gaps) {
-      context_.check();
-      Gap& own = gaps_.emplace_back();
-      for (const TabGap::Place& place : gap.places) {
-        add_place(place, own);
-      }
-      if (own.places.empty()) {
-        cut_off(gap, forest.folds, own);
-      }
-      measure(own);
-    }
+        forest_(patch_),
+        tabs_(surface_, problem.panels, patch_, forest_, options_) {
+    forest_.set_folds(folds);
+    tabs_.renew_all();
   }
 
-  std::vector<std::uint32_t> run() {
-    std::vector<std::uint32_t> cuts;
-    for (;;) {
-      context_.check();
-      std::uint32_t best = no_index;
-      double most = 0.0;
-      for (const Worth& worth : worths()) {
-        if (worth.tabs > most) {
-          most = worth.tabs;
-          best = worth.side;
-        }
-      }
-      if (best == no_index) {
-        return cuts;
-      }
-      cuts.push_back(best);
-      take_away(best);
+  Folds run() {
+    while (make_room()) {
     }
+    return forest_.folds();
   }
 
  private:
-  using Path = std::vector<std::uint32_t>;  ///< folds that may be cut, each by its side of the lower face
-  using Place = std::vector<Path>;          ///< to each thing in the way that isn't cut off yet
-  struct Worth {
-    std::uint32_t side = no_index;
-    double tabs = 0.0;
-  };
-  struct Gap {
-    std::vector<Place> places;
-    std::vector<Worth> worths;  ///< of cutting each fold, for this gap; ascending by side
-  };
-
-  [[nodiscard]] Path path(std::uint32_t f, std::uint32_t g) const {
-    Path result;
-    while (f != g) {
-      std::uint32_t& deeper = forest_.depth[f] >= forest_.depth[g] ? f : g;
-      const std::uint32_t side = forest_.up[deeper];
-      if (patch_.frozen[side] == 0) {
-        result.push_back(side);
+  /// One round: whether anything was cut.
+  bool make_room() {
+    bool any = false;
+    for (const Cut cut : without_tab()) {
+      context_.check();
+      if (context_.out_of_time()) {
+        return false;
       }
-      deeper = patch_.twin[side] / 3;
+      // One that has a tab here was given it by an earlier cut, or place_tabs knows why it can't have it.
+      any = (!tabs_.has_tab(cut) && make_room_at(cut)) || any;
     }
-    return result;
+    return any;
   }
 
-  void add_place(const TabGap::Place& place, Gap& gap) const {
-    Place paths;
-    for (const FaceId f : place.in_the_way) {
-      paths.push_back(path(place.face.value(), f.value()));
-      if (paths.back().empty()) {
-        return;
+  /// Joins of the nets that have no usable tab and aren't too narrow for one.
+  [[nodiscard]] std::vector<Cut> without_tab() const {
+    const Nets nets = nets_of_(forest_.folds());
+    std::vector<Cut> cuts;
+    for (const Join& join : nets.joins) {
+      if (!join.too_narrow && !(join.tab.valid() && is_usable(surface_, nets, join.tab, options_))) {
+        cuts.push_back(tabs_.join_of(surface_.sides(join.edge)[0].value()));
       }
     }
-    if (!paths.empty()) {
-      gap.places.push_back(std::move(paths));
-    }
+    return cuts;
   }
 
-  /// Where no place can be freed that was thought of: around the faces of the join, or where these lie inside
-  /// flat regions, at the faces of those that are next to them.
-  void cut_off(const TabGap& gap, const Folds& folds, Gap& own) const {
-    std::set<std::uint32_t> ring;
-    for (const TabGap::Place& place : gap.places) {
-      ring.insert(place.face.value());
-    }
-    for (std::set<std::uint32_t> seen; !ring.empty() && own.places.empty();) {
-      seen.insert(ring.begin(), ring.end());
-      std::set<std::uint32_t> next;
-      for (const std::uint32_t f : ring) {
-        for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-          if (folds[side] == 0) {
-            continue;
-          }
-          const std::uint32_t twin = patch_.twin[side];
-          if (patch_.frozen[side] == 0) {
-            own.places.push_back({{forest_.up[f] == side ? side : twin}});
-          } else if (seen.count(twin / 3) == 0) {
-            next.insert(twin / 3);
-          }
+  /// Cuts folds near a cut until it has a tab; none where that doesn't come to one.
+  bool make_room_at(Cut cut) {
+    std::vector<Move> made;
+    while (!tabs_.has_tab(cut)) {
+      const std::optional<std::uint32_t> fold = best_fold_at(cut);
+      if (!fold) {
+        for (; !made.empty(); made.pop_back()) {
+          tabs_.make(made.back().inverse());
         }
+        return false;
       }
-      ring = std::move(next);
+      made.push_back({*fold, no_index});
+      tabs_.make(made.back());
     }
+    return true;
   }
 
-  static void measure(Gap& gap) {
-    std::map<std::uint32_t, double> most;
-    for (const Place& place : gap.places) {
-      std::map<std::uint32_t, std::uint32_t> count;
-      for (const Path& path : place) {
-        for (const std::uint32_t side : path) {
-          ++count[side];
-        }
-      }
-      for (const auto& [side, n] : count) {
-        const double share = static_cast<double>(n) / static_cast<double>(place.size());
-        double& worth = most[side];
-        worth = std::max(worth, elementary::pow(share, sharpness));
+  /// The fold that gives a cut a tab and leaves the fewest others without one; where none does, the one that
+  /// takes most away from what lies near the cut; nothing where none takes anything away.
+  std::optional<std::uint32_t> best_fold_at(Cut cut) {
+    std::set<std::uint32_t> folds;
+    for (const std::uint32_t side : {cut, patch_.twin[cut]}) {
+      for (const std::uint32_t face : tabs_.faces_near(side)) {
+        const std::vector<std::uint32_t>& way = forest_.folds_between(side / 3, face);
+        folds.insert(way.begin(), way.end());
       }
     }
-    gap.worths.clear();
-    for (const auto& [side, worth] : most) {
-      gap.worths.push_back({side, worth});
+    using Worth = std::tuple<bool, std::int64_t, double>;
+    Worth best{false, -near(cut), 0.0};
+    std::optional<std::uint32_t> chosen;
+    for (const std::uint32_t fold : folds) {
+      tabs_.make({fold, no_index});
+      const bool has_tab = tabs_.has_tab(cut);
+      const Worth worth{has_tab, has_tab ? std::int64_t{tabs_.tabs()} : -near(cut), -patch_.length[fold]};
+      tabs_.take_back();
+      const bool takes_something = has_tab || std::get<1>(worth) > -near(cut);
+      if (takes_something && worth > best) {
+        best = worth;
+        chosen = fold;
+      }
     }
+    return chosen;
   }
 
-  /// What cutting each fold is worth, in tabs; ascending by side.
-  [[nodiscard]] std::vector<Worth> worths() {
-    std::vector<Worth> result;
-    for (const Gap& gap : gaps_) {
-      for (const Worth& worth : gap.worths) {
-        if (sum_[worth.side] == 0.0) {
-          result.push_back({worth.side, 0.0});
-        }
-        sum_[worth.side] += worth.tabs;
+  /// How many faces lie near the side of a cut that has fewer.
+  [[nodiscard]] std::int64_t near(Cut cut) const {
+    std::int64_t least = std::numeric_limits<std::int64_t>::max();
+    for (const std::uint32_t side : {cut, patch_.twin[cut]}) {
+      if (!tabs_.candidates()[side].empty()) {
+        least = std::min(least, static_cast<std::int64_t>(tabs_.faces_near(side).size()));
       }
     }
-    std::sort(result.begin(), result.end(), [](const Worth& x, const Worth& y) { return x.side < y.side; });
-    for (auto& [side, worth] : result) {
-      const EdgeId edge = surface_.edge(mesh::corner(patch_.face[side / 3], side % 3));
-      const double cost = (tab_gaps_.able(edge) ? 0.0 : narrow_cut) + cost_of_length * patch_.length[side];
-      worth = std::max(sum_[side] - cost, 0.01 * sum_[side]);
-      sum_[side] = 0.0;
-    }
-    return result;
-  }
-
-  void take_away(std::uint32_t cut) {
-    for (Gap& gap : gaps_) {
-      const auto at =
-          std::lower_bound(gap.worths.begin(), gap.worths.end(), cut,
-                           [](const Worth& worth, std::uint32_t side) { return worth.side < side; });
-      if (at == gap.worths.end() || at->side != cut) {
-        continue;
-      }
-      for (Place& place : gap.places) {
-        std::erase_if(
-            place, [&](const Path& path) { return std::find(path.begin(), path.end(), cut) != path.end(); });
-      }
-      if (std::any_of(gap.places.begin(), gap.places.end(), [](const Place& p) { return p.empty(); })) {
-        gap = {};
-      } else {
-        measure(gap);
-      }
-    }
+    return least;
   }
 
   const mesh::Surface& surface_;
   const Patch& patch_;
-  const TabGaps& tab_gaps_;
+  const TabOptions& options_;
+  const NetsOf& nets_of_;
   const Context& context_;
-  RootedForest forest_;
-  std::vector<Gap> gaps_;
-  std::vector<double> sum_;  ///< per side: space to work in, 0
+  Forest forest_;
+  TabState tabs_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> choose_tab_cuts(const ForestWithGaps& forest, const Context& context) {
-  return Chooser(forest, context).run();
-}
-
 Folds split_for_tabs(const NetProblem& problem, const Folds& folds, const NetsOf& nets_of,
                      const Context& context) {
-  const Patch& patch = problem.patch;
-  const TabGaps tab_gaps({problem.surface, problem.panels, problem.options.tabs}, patch, folds, context);
-  Folds result = folds;
-  for (;;) {
-    context.check();
-    const Nets nets = nets_of(result);
-    const std::vector<JoinId> missing = tab_gaps.missing(nets);
-    if (missing.empty() || context.out_of_time()) {
-      return result;
-    }
-    const std::vector<TabGap> gaps = tab_gaps.gaps(nets, missing, context);
-    const std::vector<std::uint32_t> cuts =
-        choose_tab_cuts({problem.surface, patch, result, tab_gaps, gaps}, context);
-    if (cuts.empty()) {
-      return result;
-    }
-    for (const std::uint32_t side : cuts) {
-      set_fold(patch, result, side, false);
-    }
-  }
+  return Splitter(problem, folds, nets_of, context).run();
 }
 
 }  // namespace ridgecraft::unfold

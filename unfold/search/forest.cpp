@@ -72,7 +72,10 @@ Forest::Carried Forest::carried(const Move& move) const {
             onto(first_moves ? move.closed : twin)};
   }
   const std::uint32_t v = below(move.opened);
-  const bool lower_is_smaller = 2 * size_[v] <= size_of(tree_[v]);
+  // Of halves that are equal the one at the side that is named: the move back then restores the tree's
+  // number.
+  const std::uint32_t whole = size_of(tree_[v]);
+  const bool lower_is_smaller = 2 * size_[v] < whole || (2 * size_[v] == whole && move.opened / 3 == v);
   if (move.splits()) {
     return {lower_is_smaller ? subtree(v) : rest(v), no_index, Rigid{}};
   }
@@ -101,7 +104,9 @@ void Forest::make(const Move& move) {
   }
   if (move.opened != no_index) {
     const std::uint32_t v = below(move.opened);
-    if (!in_span(what.faces, v)) {
+    if (in_span(what.faces, v)) {
+      grow(parent(v), 0U - what.faces.count);
+    } else {
       up_[v] = no_index;  // its subtree stays and is a tree of its own
     }
     set_fold(move.opened, 0);
@@ -109,7 +114,7 @@ void Forest::make(const Move& move) {
   if (move.closed != no_index) {
     set_fold(move.closed, 1);
   }
-  take_out(what.faces);
+  const std::uint32_t taken_at = take_out(what.faces);
   const Rigid placed =
       up == no_index ? Rigid{} : place_[patch_.twin[up] / 3] * patch_.across[patch_.twin[up]];
   if (up == no_index) {
@@ -122,40 +127,57 @@ void Forest::make(const Move& move) {
   }
   hang(root, up, placed);
   const std::uint32_t q = patch_.twin[up] / 3;
-  insert_behind(q, what.to);
+  grow(q, what.faces.count);
+  const std::uint32_t put_at = insert_behind(q, what.to);
+  if (what.to == t && taken_at != no_index) {
+    number(t, std::min(taken_at, put_at), std::max(taken_at, put_at) + what.faces.count);
+    return;
+  }
   number(what.to);
-  if (what.to != t) {
-    if (trees_[t].order.empty()) {
-      drop_tree(t);
-    } else {
-      number(t);
-    }
+  if (what.to == t) {
+    return;
+  }
+  if (trees_[t].order.empty()) {
+    drop_tree(t);
+  } else {
+    number(t);
   }
 }
 
-/// Takes an interval out of its tree's order; what stays begins with its root.
-void Forest::take_out(const Span& span) {
+/// Takes an interval out of its tree's order; what stays begins with its root. The first position that
+/// changes, nothing where all may.
+std::uint32_t Forest::take_out(const Span& span) {
   std::vector<std::uint32_t>& order = trees_[span.tree].order;
   const auto n = static_cast<std::uint32_t>(order.size());
   if (span.first > 0 && span.first + span.count <= n) {
     order.erase(order.begin() + span.first, order.begin() + span.first + span.count);
-    return;
+    return span.first;
   }
   const std::uint32_t kept = wrap(span.tree, span.first + span.count);
   std::rotate(order.begin(), order.begin() + kept, order.end());
   order.resize(n - span.count);
-  // The root comes first: it is the only one without a parent.
-  const auto root =
-      std::find_if(order.begin(), order.end(), [&](std::uint32_t f) { return up_[f] == no_index; });
-  std::rotate(order.begin(), root, order.end());
+  return no_index;
 }
 
-void Forest::insert_behind(std::uint32_t parent, std::uint32_t tree) {
+/// The subtree of a face, and with it those that it lies in, have so many faces more.
+void Forest::grow(std::uint32_t face, std::uint32_t more) {
+  size_[face] += more;
+  while (up_[face] != no_index) {
+    face = parent(face);
+    size_[face] += more;
+  }
+}
+
+/// Puts what hang() laid out behind a face, and says where.
+std::uint32_t Forest::insert_behind(std::uint32_t parent, std::uint32_t tree) {
   std::vector<std::uint32_t>& order = trees_[tree].order;
-  order.insert(std::find(order.begin(), order.end(), parent) + 1, hung_.begin(), hung_.end());
+  const auto at = std::find(order.begin(), order.end(), parent) + 1;
+  const auto position = static_cast<std::uint32_t>(at - order.begin());
+  order.insert(at, hung_.begin(), hung_.end());
+  return position;
 }
 
-/// Lays out what hangs together at a face without its side `up`, in preorder.
+/// Lays out what hangs together at a face without its side `up`, in preorder, and counts its subtrees.
 void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
   hung_.clear();
   settle(face, placed);
@@ -165,7 +187,6 @@ void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
     const std::uint32_t f = open_.back();
     open_.pop_back();
     hung_.push_back(f);
-    tree_[f] = no_index - 1;
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
       if (folds_[side] != 0 && side != up_[f]) {
         const std::uint32_t twin = patch_.twin[side];
@@ -174,35 +195,34 @@ void Forest::hang(std::uint32_t face, std::uint32_t up, const Rigid& placed) {
         open_.push_back(twin / 3);
       }
     }
+    size_[f] = 1;
+  }
+  for (std::size_t i = hung_.size(); i-- > 1;) {
+    size_[parent(hung_[i])] += size_[hung_[i]];
   }
 }
 
-/// Positions, sizes of subtrees and circles of a tree whose order is right. Most positions stay as they are.
+/// Positions and circles of a tree whose order is right.
 void Forest::number(std::uint32_t tree) {
+  number(tree, 0, size_of(tree));
+}
+
+/// The same where none but these positions have changed.
+void Forest::number(std::uint32_t tree, std::uint32_t first, std::uint32_t last) {
   const std::vector<std::uint32_t>& order = trees_[tree].order;
-  const auto n = static_cast<std::uint32_t>(order.size());
   CircleTree& circles = trees_[tree].circles;
-  const bool anew = circles.size() != n;
-  if (anew) {
-    circles.reset(n);
+  if (circles.size() != order.size()) {
+    circles.reset(size_of(tree));
+    first = 0;
+    last = size_of(tree);
   }
-  std::uint32_t first = n;
-  std::uint32_t last = 0;
-  for (std::uint32_t i = 0; i < n; ++i) {
+  for (std::uint32_t i = first; i < last; ++i) {
     const std::uint32_t f = order[i];
-    size_[f] = 1;
-    if (anew || at_[f] != i || tree_[f] != tree) {
-      tree_[f] = tree;
-      at_[f] = i;
-      circles.set(i, circle_[f]);
-      first = std::min(first, i);
-      last = i + 1;
-    }
+    tree_[f] = tree;
+    at_[f] = i;
+    circles.set(i, circle_[f]);
   }
-  circles.renew(std::min(first, last), last);
-  for (std::uint32_t i = n; i-- > 1;) {
-    size_[parent(order[i])] += size_[order[i]];
-  }
+  circles.renew(first, last);
 }
 
 void Forest::settle(std::uint32_t face, const Rigid& placed) {

@@ -54,7 +54,7 @@ class Forest {
   /// Whether a move keeps a forest: what it closes lies, once what it opens is cut, between two trees, one of
   /// which it has cut.
   [[nodiscard]] bool is_legal(const Move& move) const;
-  /// Makes a legal move. O(faces of the trees that it changes).
+  /// Makes a legal move. Linear in the trees that it changes, but within one tree only in moving numbers.
   void make(const Move& move);
 
   [[nodiscard]] const Patch& patch() const { return patch_; }
@@ -133,10 +133,12 @@ class Forest {
   [[nodiscard]] std::uint32_t new_tree();
   void drop_tree(std::uint32_t tree);
   void set_fold(std::uint32_t side, std::uint8_t folded);
-  void take_out(const Span& span);
+  [[nodiscard]] std::uint32_t take_out(const Span& span);
   void hang(std::uint32_t face, std::uint32_t up, const Rigid& placed);
-  void insert_behind(std::uint32_t parent, std::uint32_t tree);
+  void grow(std::uint32_t face, std::uint32_t more);
+  [[nodiscard]] std::uint32_t insert_behind(std::uint32_t parent, std::uint32_t tree);
   void number(std::uint32_t tree);
+  void number(std::uint32_t tree, std::uint32_t first, std::uint32_t last);
   void settle(std::uint32_t face, const Rigid& placed);
 
   const Patch& patch_;

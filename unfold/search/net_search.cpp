@@ -17,18 +17,20 @@ constexpr int draws_for_a_cut = 12;
 /// Trials between two looks at the clock and changes of the heat.
 constexpr std::uint64_t trials_per_look = 512;
 
-/// Heats of the first fall, in pairs of faces, and its trials for each face: ordinary models have their nets
-/// then, most of them after a tenth of it.
+/// Heats of the first falls, in pairs of faces, and the trials of each for each face: nineteen of twenty
+/// ordinary models have their nets after the first, most after a third of it.
 constexpr double cool_first = 0.5;
 constexpr double cool_last = 0.2;
-constexpr std::uint64_t cool_trials_per_face = 200;
+constexpr std::uint64_t cool_trials_per_face = 50;
 constexpr std::uint64_t least_cool_trials = 2000;
 /// Bodies with long spikes need more: heats of 4.5 to 6.5 find their nets within a second, one of 3 or less
-/// stays where it is, one of 10 never settles. So the walk falls through these again and again.
+/// stays where it is, one of 10 never settles. So the walk falls through these again and again, and through
+/// the first ones in between: large bodies of which a few pairs are left come to rest there.
 constexpr double hot_first = 6.3;
 constexpr double hot_last = 4.7;
 constexpr std::uint64_t hot_trials_per_face = 500;
-constexpr std::uint64_t patient_trials_per_face = 4000;
+/// Trials after which a net is given up: those of spiky bodies that were found at all took fewer.
+constexpr std::uint64_t most_trials_per_face = 4000;
 constexpr std::uint64_t most_trials = 1'600'000;
 /// After this many hot falls a walk that never had fewer pairs left than this for each face is given up:
 /// bodies whose nets were found had a tenth of it left, rings of narrow walls twice as much.
@@ -163,30 +165,25 @@ std::uint32_t NetWalk::cut_across(std::uint32_t fold) {
   return no_index;
 }
 
-std::uint64_t quick_trials(std::uint32_t faces) {
-  return std::max(cool_trials_per_face * faces, least_cool_trials);
-}
-
-std::uint64_t patient_trials(std::uint32_t faces) {
-  return std::max(quick_trials(faces), std::min(patient_trials_per_face * faces, most_trials));
-}
-
-NetFound find_net(const Patch& patch, const Folds& start, const NetSearch& search, std::uint64_t seed,
+NetFound find_net(const Patch& patch, const Folds& start, double tolerance, std::uint64_t seed,
                   const Context& context) {
-  NetWalk walk(patch, {search.tolerance}, seed);
+  NetWalk walk(patch, {tolerance}, seed);
   walk.set_tree(start);
-  const std::uint64_t hot = hot_trials_per_face * patch.size();
-  const auto hopeless = static_cast<std::uint64_t>(most_pairs_per_face * patch.size());
-  bool found =
-      walk.cool({cool_first, cool_last, std::min(search.trials, quick_trials(patch.size()))}, context);
-  while (!found && walk.trials() < search.trials && !context.out_of_time() &&
+  const std::uint64_t faces = patch.size();
+  const std::uint64_t cool = std::max(cool_trials_per_face * faces, least_cool_trials);
+  const std::uint64_t hot = hot_trials_per_face * faces;
+  const std::uint64_t most = std::max(cool, std::min(most_trials_per_face * faces, most_trials));
+  const auto hopeless = static_cast<std::uint64_t>(most_pairs_per_face * static_cast<double>(faces));
+  bool found = walk.cool({cool_first, cool_last, cool}, context);
+  while (!found && walk.trials() < most && !context.out_of_time() &&
          (walk.trials() < falls_to_judge * hot || walk.least() <= hopeless)) {
-    found = walk.cool({hot_first, hot_last, std::min(hot, search.trials - walk.trials())}, context);
+    found = walk.cool({hot_first, hot_last, std::min(hot, most - walk.trials())}, context) ||
+            walk.cool({cool_first, cool_last, cool}, context);
   }
   NetFound net{walk.best(), walk.least(), walk.trials()};
   if (net.overlaps == 0) {
     // The walk counts by small steps; only a fresh layout and another routine may call a net clean.
-    net.overlaps = find_overlaps(lay_out(patch, net.folds), search.tolerance).size();
+    net.overlaps = find_overlaps(lay_out(patch, net.folds), tolerance).size();
   }
   return net;
 }

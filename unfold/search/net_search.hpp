@@ -77,25 +77,16 @@ class NetWalk {
   std::vector<std::uint32_t> moved_;  ///< space to work in
 };
 
-struct NetSearch {
-  double tolerance = 0.0;    ///< of overlap, mm
-  std::uint64_t trials = 0;  ///< swaps that are looked at, at most: about a million a second
-};
-
-/// Trials within which ordinary models of so many faces have their nets.
-[[nodiscard]] std::uint64_t quick_trials(std::uint32_t faces);
-/// Trials after which a net is given up: those of spiky bodies that were found at all took fewer.
-[[nodiscard]] std::uint64_t patient_trials(std::uint32_t faces);
-
 struct NetFound {
   Folds folds;                 ///< the best tree
   std::uint64_t overlaps = 0;  ///< of it; 0: a net, laid out afresh and checked
   std::uint64_t trials = 0;
 };
 
-/// Searches a connected patch for a tree without overlap, beginning with a spanning tree. Deterministic for
-/// one seed but for the deadline. Throws Error(interrupted).
-[[nodiscard]] NetFound find_net(const Patch& patch, const Folds& start, const NetSearch& search,
-                                std::uint64_t seed, const Context& context);
+/// Searches a connected patch for a tree without overlap deeper than `tolerance`, mm, beginning with a
+/// spanning tree, until one is found or given up. Deterministic for one seed but for the deadline. Throws
+/// Error(interrupted).
+[[nodiscard]] NetFound find_net(const Patch& patch, const Folds& start, double tolerance, std::uint64_t seed,
+                                const Context& context);
 
 }  // namespace ridgecraft::unfold

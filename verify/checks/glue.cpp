@@ -229,7 +229,7 @@ class GlueCheck {
             add(number, "reaches beyond its piece");
             return;
           }
-          if (const double away = distance_to_body(body, *place); away > glue_mm + glue_place_mm) {
+          if (const double away = distance_to_body(body, *place); away > glue_gap_mm + glue_place_mm) {
             add(number, fmt::format("is {:.3f} mm away from what is glued there", away));
             return;
           }

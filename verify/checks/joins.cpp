@@ -110,13 +110,15 @@ class JoinCheck {
 
   void check_reasons() {
     for (Index j = 0; j < file_.joins.size(); ++j) {
-      if (file_.joins[j].tab != none) {
-        continue;
-      }
-      ++findings_.figures().joins_without_tab;
-      if (file_.joins[j].why.empty()) {
+      const std::string& why = file_.joins[j].why;
+      const bool has_tab = file_.joins[j].tab != none;
+      findings_.figures().joins_without_tab += has_tab ? 0U : 1U;
+      if (!has_tab && why.empty()) {
         add({{"join", j}},
             [&] { return fmt::format("{} has no tab and doesn't say why", join_name(file_, j)); });
+      } else if (has_tab && !why.empty()) {
+        add({{"join", j}},
+            [&] { return fmt::format("{} has a tab, and says why it has none", join_name(file_, j)); });
       }
     }
   }

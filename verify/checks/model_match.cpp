@@ -2,11 +2,13 @@
 // Promise 9: the second frame of the file is the surface of the model at its scale, as far as it wasn't
 // simplified.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/disjoint_sets.hpp"
+#include "base/elementary.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/geometry.hpp"
@@ -18,12 +20,18 @@ namespace {
 /// openings take.
 constexpr double in_opening = 0.2;
 
-/// From the model to the nets' millimetres: it is scaled and shifted, never turned.
+/// A triangle whose shortest side needs so many times fewer steps than its longest is narrow.
+constexpr int narrow = 4;
+
+/// From the model to the nets' millimetres: it is scaled and shifted, never turned. A model that lies far off
+/// keeps its digits, as its own middle is taken away first.
 struct Placing {
   double scale = 1.0;
-  Vec3 shift;
+  Vec3 from;
+  Vec3 to;
 
-  [[nodiscard]] Vec3 operator()(Vec3 p) const { return scale * p + shift; }
+  [[nodiscard]] Vec3 operator()(Vec3 p) const { return scale * (p - from) + to; }
+  [[nodiscard]] Vec3 back(Vec3 p) const { return (p - to) / scale + from; }
 };
 
 Vec3 centre_of(const Box3& box) {
@@ -96,12 +104,33 @@ std::vector<Triangle3> placed(const std::vector<Triangle3>& triangles, const Pla
   return result;
 }
 
+/// A narrow triangle, its first corner opposite to its shortest side: points in rows from there, as many in
+/// each as that side needs. What wide triangles have would be points upon points.
+void add_narrow(const Triangle3& t, int rows, int across, std::vector<Vec3>& samples) {
+  for (int i = 0; i <= rows; ++i) {
+    const double u = static_cast<double>(i) / rows;
+    for (int k = 0; k <= across; ++k) {
+      const double v = static_cast<double>(k) / across;
+      samples.push_back(t[0] + u * ((1.0 - v) * (t[1] - t[0]) + v * (t[2] - t[0])));
+    }
+  }
+}
+
 /// Corners, and points between them about `spacing` apart, but not too many of one triangle.
 std::vector<Vec3> samples_of(const std::vector<Triangle3>& triangles, double spacing) {
   std::vector<Vec3> samples;
   for (const Triangle3& t : triangles) {
-    const double longest = std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
-    const auto steps = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, most_sample_steps));
+    const std::array<double, 3> opposite{length(t[2] - t[1]), length(t[0] - t[2]), length(t[1] - t[0])};
+    const auto steps_along = [&](double side) {
+      return static_cast<int>(std::clamp(std::ceil(side / spacing), 1.0, most_sample_steps));
+    };
+    const auto shortest =
+        static_cast<std::size_t>(std::min_element(opposite.begin(), opposite.end()) - opposite.begin());
+    const int steps = steps_along(*std::max_element(opposite.begin(), opposite.end()));
+    if (const int across = steps_along(opposite[shortest]); narrow * across <= steps) {
+      add_narrow({t[shortest], t[(shortest + 1) % 3], t[(shortest + 2) % 3]}, steps, across, samples);
+      continue;
+    }
     for (int i = 0; i <= steps; ++i) {
       for (int k = 0; i + k <= steps; ++k) {
         const double u = static_cast<double>(i) / steps;
@@ -112,6 +141,40 @@ std::vector<Vec3> samples_of(const std::vector<Triangle3>& triangles, double spa
     samples.push_back((t[0] + t[1] + t[2]) / 3.0);
   }
   return samples;
+}
+
+/// Whether a ray meets a triangle.
+bool meets(const Triangle3& t, Vec3 from, Vec3 direction) {
+  const Vec3 u = t[1] - t[0];
+  const Vec3 v = t[2] - t[0];
+  const Vec3 normal = cross(direction, v);
+  const double turn = dot(u, normal);
+  if (turn == 0.0) {
+    return false;
+  }
+  const Vec3 away = from - t[0];
+  const double a = dot(away, normal) / turn;
+  const Vec3 other = cross(away, u);
+  const double b = dot(direction, other) / turn;
+  return a >= 0.0 && b >= 0.0 && a + b <= 1.0 && dot(v, other) / turn > 0.0;
+}
+
+/// Whether the surface stands before a point whichever way one looks from it: nobody sees what is there.
+/// Looked at in directions that are spread evenly over the sphere (along a spiral).
+bool is_enclosed(const std::vector<Triangle3>& surface, Vec3 p) {
+  constexpr int directions = 64;
+  constexpr double golden_angle = 2.399963229728653;
+  for (int i = 0; i < directions; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / directions;
+    const double radius = std::sqrt(1.0 - z * z);
+    const Vec3 direction{radius * elementary::cos(golden_angle * i),
+                         radius * elementary::sin(golden_angle * i), z};
+    if (std::none_of(surface.begin(), surface.end(),
+                     [&](const Triangle3& t) { return meets(t, p, direction); })) {
+      return false;
+    }
+  }
+  return true;
 }
 
 struct Farthest {
@@ -278,7 +341,7 @@ class ModelCheck {
     const double scale = mm_per_unit ? *mm_per_unit * units_per_point_unit_ : by_size;
     // At a stated scale the model's middle is the origin; else what the sizes say is all that is known.
     const Vec3 middle = mm_per_unit ? Vec3{} : centre_of(here);
-    return {scale, middle - scale * centre_of(there)};
+    return {scale, centre_of(there), middle};
   }
 
   [[nodiscard]] Farthest measure(const Placing& place) const {
@@ -286,12 +349,13 @@ class ModelCheck {
     const std::vector<Triangle3> model = placed(model_, place);
     Farthest farthest;
     // Where bodies became one skin, flat openings may have been closed, and what the skin goes around is
-    // hidden.
+    // hidden, or is a body that can't be seen and was left out.
     look_farther(samples_of(nets_, spacing), SurfaceTree(model), given_.context, farthest,
                  [&](Vec3 p) { return united() && std::abs(winding(model, p)) > in_opening; });
     look_farther(samples_of(without_details_.empty() ? model : placed(without_details_, place), spacing),
-                 SurfaceTree(nets_), given_.context, farthest,
-                 [&](Vec3 p) { return united() && std::abs(winding(nets_, p)) > in_opening; });
+                 SurfaceTree(nets_), given_.context, farthest, [&](Vec3 p) {
+                   return united() && (std::abs(winding(nets_, p)) > in_opening || is_enclosed(nets_, p));
+                 });
     return farthest;
   }
 
@@ -307,7 +371,7 @@ class ModelCheck {
       SurfaceTree::Place nearest;
       for (const Vec3 p : samples) {
         given_.context.check();
-        nearest = model.nearest((p - place.shift) / place.scale, 0.0, nearest);
+        nearest = model.nearest(place.back(p), 0.0, nearest);
         there.push_back(nearest.point);
         mean_here += p / static_cast<double>(samples.size());
         mean_there += there.back() / static_cast<double>(samples.size());
@@ -322,7 +386,8 @@ class ModelCheck {
         break;
       }
       place.scale = both / own;
-      place.shift = mean_here - place.scale * mean_there;
+      place.from = mean_there;
+      place.to = mean_here;
     }
     return place;
   }

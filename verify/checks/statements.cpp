@@ -24,7 +24,6 @@ class StatementCheck {
       : given_(given), file_(given.file), findings_(findings) {}
 
   void run() {
-    check_shared_numbers();
     if (!file_.is_ours()) {
       return;
     }
@@ -43,43 +42,6 @@ class StatementCheck {
  private:
   void add(std::initializer_list<std::pair<const char*, std::size_t>> indices, const std::string& message) {
     findings_.add(Promise::statements, indices, [&] { return message; });
-  }
-
-  /// Joins have one number where they are one seam on paper: straight, and between the same two pieces.
-  void check_shared_numbers() {
-    std::map<std::int64_t, Index> first;
-    for (Index j = 0; j < file_.joins.size(); ++j) {
-      const auto [at, is_new] = first.try_emplace(file_.joins[j].number, j);
-      if (!is_new && !is_one_seam(at->second, j)) {
-        add({{"join", at->second}, {"join", j}},
-            fmt::format("{} and {} have the same number and are no straight seam",
-                        join_name(file_, at->second), join_name(file_, j)));
-      }
-    }
-  }
-
-  [[nodiscard]] std::pair<Index, Index> pieces_of(const Join& join) const {
-    const auto piece = [&](Index edge) {
-      return file_.face_piece[file_.faces.face(given_.relations.sides_of(edge).front())];
-    };
-    return std::minmax(piece(join.edges[0]), piece(join.edges[1]));
-  }
-
-  [[nodiscard]] bool is_one_seam(Index j, Index k) const {
-    const Join& one = file_.joins[j];
-    const Join& other = file_.joins[k];
-    const Index a = model_side_of(file_, given_.relations, one.edges[0]);
-    const Index b = model_side_of(file_, given_.relations, other.edges[0]);
-    if (a == none || b == none) {
-      return true;  // promise 1 says what is wrong there
-    }
-    const Model& model = file_.model;
-    const Vec3 start = model.points[model.faces.tail(a)];
-    const Vec3 along = normalized(model.points[model.faces.head(a)] - start);
-    const auto on_line = [&](Index v) {
-      return length(cross(along, model.points[v] - start)) <= seam_tolerance_mm;
-    };
-    return pieces_of(one) == pieces_of(other) && on_line(model.faces.tail(b)) && on_line(model.faces.head(b));
   }
 
   void check_vertices(std::size_t count, const FaceList& faces, const char* where) {

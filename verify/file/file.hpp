@@ -105,6 +105,12 @@ struct Join {
   std::string why;  ///< there is no tab
 };
 
+/// Joins that follow each other on both of their pieces.
+struct Chain {
+  std::int64_t number = 1;
+  std::vector<Index> joins;
+};
+
 struct Tab {
   Index edge = 0;
   std::vector<Index> edges;  ///< all that it grows from, `edge` among them
@@ -160,6 +166,7 @@ struct File {
   std::vector<Piece> pieces;
   std::vector<Page> pages;
   std::vector<Join> joins;
+  std::optional<std::vector<Chain>> chains;  ///< nothing where the file doesn't tell
   std::vector<Tab> tabs;
   std::vector<GlueOutline> glue;
   /// Per piece the folds in the order in which they are made, those of one list together; nothing where the

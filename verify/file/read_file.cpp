@@ -302,6 +302,13 @@ void read_pieces_and_joins(const Json& json, File& file) {
               [&](const Json& piece) { file.pieces.push_back(read_piece(piece)); });
   expect_names_unique(file.pieces);
   for_each_in(json, "ridgecraft:joins", [&](const Json& join) { file.joins.push_back(read_join(join)); });
+  if (json.contains("ridgecraft:chains")) {
+    file.chains.emplace();
+  }
+  for_each_in(json, "ridgecraft:chains", [&](const Json& chain) {
+    file.chains->push_back(
+        {chain.at("number").get<std::int64_t>(), chain.at("joins").get<std::vector<Index>>()});
+  });
   for_each_in(json, "ridgecraft:tabs", [&](const Json& tab) { file.tabs.push_back(read_tab(tab, false)); });
   for_each_in(json, "ridgecraft:more_tabs",
               [&](const Json& tab) { file.tabs.push_back(read_tab(tab, true)); });

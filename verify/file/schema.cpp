@@ -101,6 +101,7 @@ enum class ListOf : unsigned char {
   pages,
   pieces,
   tabs,
+  joins,
   end
 };
 
@@ -274,6 +275,11 @@ Rule join_form() {
                  {"why", {}, Need::optional}});
 }
 
+Rule chain_form() {
+  return object(
+      {{"number", join_number()}, {"joins", in_order(Order::distinct, list(index_of(ListOf::joins), 1))}});
+}
+
 Rule glue_form() {
   return object({{"piece", index_of(ListOf::pieces)},
                  {"other", index_of(ListOf::pieces)},
@@ -318,7 +324,8 @@ Rule file_form() {
                  {"ridgecraft:faces_piece", list_as_long_as(L::faces, index_of(L::pieces))},
                  {"ridgecraft:tabs", counting(L::tabs, list(tab_form(1)))},
                  {"ridgecraft:more_tabs", list(tab_form(0)), Need::optional},
-                 {"ridgecraft:joins", list(join_form())},
+                 {"ridgecraft:joins", counting(L::joins, list(join_form()))},
+                 {"ridgecraft:chains", list(chain_form()), Need::ours},
                  {"ridgecraft:settings", object({})},
                  {"ridgecraft:model_digest", text(), Need::ours},
                  {"ridgecraft:up", one_of({"x", "y", "z"}), Need::optional},

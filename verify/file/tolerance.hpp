@@ -26,8 +26,7 @@ constexpr double flat_fold_deg = 1e-4;
 constexpr double slender_fraction = 1e-9;
 /// Distance of a tab's base from its edge, in mm (promise 5).
 constexpr double tab_base_tolerance_mm = 1e-3;
-/// Distance of the edges under one tab from its base, and of those of one straight seam from its line, in mm
-/// (promises 5 and 8).
+/// Distance of the edges under one tab from its base, in mm (promise 5).
 constexpr double seam_tolerance_mm = 1e-2;
 /// What a slit keeps from cuts and folds of its piece, in mm (promise 5), 0.01 less than nets keep; and from
 /// other slits.
@@ -80,6 +79,8 @@ constexpr double simplified_fraction = 0.05;
 /// How far what is glued on may be from its outline, in mm, and how exactly the place of an outline is known.
 constexpr double glue_mm = 0.2;
 constexpr double glue_place_mm = 0.03;
+/// What nothing else holds may be so far away: glue and card fill that.
+constexpr double glue_gap_mm = 1.2;
 /// Points nearer than this are one, in mm.
 constexpr double same_point_mm = 1e-7;
 
@@ -168,7 +169,7 @@ constexpr double white = 0.94;
 
 /// Forms within forms, and bytes of content of one file, after which it counts as made to be slow.
 constexpr int max_form_depth = 8;
-constexpr std::size_t max_content_bytes = std::size_t{1} << 28U;
+constexpr std::size_t max_content_bytes = std::size_t{1} << 26U;
 /// Groups within groups of an SVG file.
 constexpr int max_group_depth = 32;
 

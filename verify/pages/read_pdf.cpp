@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF pages: qpdf finds the objects, content_stream.cpp says what they draw.
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -56,6 +57,10 @@ class PageReader {
 
   void read() {
     read_size();
+    if (QPDFObjectHandle notes = page_.getObjectHandle().getKey("/Annots");
+        notes.isArray() && notes.getArrayNItems() > 0) {
+      cannot_check("it has annotations, which may be printed");
+    }
     LimitedText content(bytes_left_);
     page_.pipeContents(&content);
     draw(content.text, {}, page_.getAttribute("/Resources", false), std::nullopt, 0);
@@ -91,8 +96,9 @@ class PageReader {
         .object = [&](std::string_view name,
                       const InkState& now) { draw_object(name, now, resources, layer, depth); },
         .hides_lines = [&](std::string_view name) -> std::optional<bool> {
-          QPDFObjectHandle opacity = entry(entry(resources, "/ExtGState"), "/" + std::string(name));
-          opacity = entry(opacity, "/CA");
+          QPDFObjectHandle state_of_it = entry(entry(resources, "/ExtGState"), "/" + std::string(name));
+          expect_plain(state_of_it);
+          QPDFObjectHandle opacity = entry(state_of_it, "/CA");
           return opacity.isNumber() ? std::optional(opacity.getNumericValue() <= 1.0 - white) : std::nullopt;
         },
         .other =
@@ -102,6 +108,39 @@ class PageReader {
               }
             }};
     read_content(content, state, events);
+  }
+
+  /// A graphics state sets opacity and no more: what else it may set changes how lines look.
+  static void expect_plain(QPDFObjectHandle state) {
+    for (const std::string& key : state.isDictionary() ? state.getKeys() : std::set<std::string>()) {
+      QPDFObjectHandle value = state.getKey(key);
+      const bool usual = (key == "/BM" && value.isName() && value.getName() == "/Normal") ||
+                         (key == "/SMask" && value.isName() && value.getName() == "/None");
+      if (key != "/Type" && key != "/CA" && key != "/ca" && !usual) {
+        cannot_check("its graphics state has {}, which may change what is printed", key.substr(0, 40));
+      }
+    }
+  }
+
+  /// A form is drawn within its box alone.
+  static void narrow(InkState& state, const std::vector<double>& box) {
+    if (box.size() != 4) {
+      cannot_check("an object of it has no box");
+    }
+    Box2 window;
+    for (const Vec2 corner :
+         {Vec2{box[0], box[1]}, Vec2{box[2], box[1]}, Vec2{box[2], box[3]}, Vec2{box[0], box[3]}}) {
+      window.add(state.matrix(corner));
+    }
+    if (state.matrix.b != 0.0 || state.matrix.c != 0.0) {
+      cannot_check("an object of it is turned");
+    }
+    if (state.window) {
+      window.low = {std::max(window.low.x, state.window->low.x), std::max(window.low.y, state.window->low.y)};
+      window.high = {std::min(window.high.x, state.window->high.x),
+                     std::min(window.high.y, state.window->high.y)};
+    }
+    state.window = window;
   }
 
   /// The entry of a dictionary, or null.
@@ -121,6 +160,7 @@ class PageReader {
     }
     QPDFObjectHandle dictionary = object.getDict();
     const std::optional<PrintedLayer> inner = layer ? layer : layer_of(dictionary, name);
+    expect_order(*inner);
     if (!is_checked(*inner)) {
       return;
     }
@@ -128,9 +168,20 @@ class PageReader {
     if (const std::vector<double> m = numbers_of(dictionary.getKey("/Matrix")); m.size() == 6) {
       now.matrix = product({m[0], m[1], m[2], m[3], m[4], m[5]}, now.matrix);
     }
+    narrow(now, numbers_of(dictionary.getKey("/BBox")));
     LimitedText content(bytes_left_);
     object.pipeStreamData(&content, 0, qpdf_dl_generalized);
     draw(content.text, now, dictionary.getKey("/Resources"), inner, depth + 1);
+  }
+
+  /// What isn't checked comes before lines that are cut or folded, as it may cover them.
+  void expect_order(PrintedLayer layer) {
+    const bool is_line = layer == PrintedLayer::cut || layer == PrintedLayer::mountain ||
+                         layer == PrintedLayer::valley || layer == PrintedLayer::tab_fold;
+    lines_begun_ = lines_begun_ || is_line;
+    if (lines_begun_ && layer == PrintedLayer::other) {
+      cannot_check("one of its layers may cover lines, as it comes after them");
+    }
   }
 
   [[nodiscard]] PrintedLayer layer_of(QPDFObjectHandle form, std::string_view name) const {
@@ -189,6 +240,7 @@ class PageReader {
   std::size_t& bytes_left_;
   PrintedPage& result_;
   Vec2 low_, high_;  ///< corners of the sheet, in points
+  bool lines_begun_ = false;
 };
 
 /// What guides say that they are about.
@@ -200,6 +252,11 @@ std::vector<std::string> layers_off(QPDF& pdf) {
   QPDFObjectHandle properties = pdf.getRoot().getKey("/OCProperties");
   QPDFObjectHandle defaults = properties.isDictionary() ? properties.getKey("/D") : properties;
   QPDFObjectHandle off = defaults.isDictionary() ? defaults.getKey("/OFF") : defaults;
+  QPDFObjectHandle base = defaults.isDictionary() ? defaults.getKey("/BaseState") : defaults;
+  QPDFObjectHandle automatic = defaults.isDictionary() ? defaults.getKey("/AS") : defaults;
+  if ((base.isName() && base.getName() != "/ON") || (automatic.isArray() && automatic.getArrayNItems() > 0)) {
+    cannot_check("its layers may be switched off when it is printed");
+  }
   for (int i = 0; off.isArray() && i < off.getArrayNItems(); ++i) {
     QPDFObjectHandle group = off.getArrayItem(i);
     QPDFObjectHandle title = group.isDictionary() ? group.getKey("/Name") : group;

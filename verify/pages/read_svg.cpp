@@ -205,6 +205,7 @@ class SvgReader {
   explicit SvgReader(PrintedFile& file) : file_(file) {}
 
   void read(pugi::xml_node root) {
+    expect_plain_root(root);
     const Vec2 size = read_size(root);
     const std::string_view words = root.child_value("metadata");
     file_.digest = digest_in(words);
@@ -227,6 +228,27 @@ class SvgReader {
   }
 
  private:
+  /// The root says how large the page is and names what it uses; texts about the file hold nothing else.
+  static void expect_plain_root(pugi::xml_node root) {
+    constexpr std::array<std::string_view, 6> known = {"width",   "height", "viewBox",
+                                                       "version", "id",     "xmlns"};
+    for (const pugi::xml_attribute attribute : root.attributes()) {
+      const std::string_view name = attribute.name();
+      if (std::find(known.begin(), known.end(), name) == known.end() && !name.starts_with("xmlns:") &&
+          !name.starts_with("inkscape:") && !name.starts_with("sodipodi:")) {
+        cannot_check("its root has the attribute \"{}\", which may change what is printed", name);
+      }
+    }
+    for (const pugi::xml_node node : root.children()) {
+      for (const pugi::xml_node inner : is_silent(node) ? node.children() : pugi::xml_node().children()) {
+        const std::string_view name = inner.name();
+        if (inner.type() == pugi::node_element && !name.starts_with("inkscape:")) {
+          cannot_check("its <{}> has a <{}>, which may change what is printed", node.name(), name);
+        }
+      }
+    }
+  }
+
   static double millimetres(pugi::xml_node root, const char* attribute) {
     const std::string_view text = root.attribute(attribute).value();
     const auto value = text.ends_with("mm") ? plain_number(text.substr(0, text.size() - 2)) : std::nullopt;
@@ -413,9 +435,16 @@ PrintedFile read_svg(const std::string& name, std::string_view bytes) {
   file.name = name;
   try {
     pugi::xml_document document;
-    const pugi::xml_parse_result result = document.load_buffer(bytes.data(), bytes.size());
+    const pugi::xml_parse_result result = document.load_buffer(
+        bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_pi | pugi::parse_doctype);
     if (!result) {
       cannot_check("it isn't XML: {} at byte {}", result.description(), result.offset);
+    }
+    for (const pugi::xml_node node : document.children()) {
+      if (node.type() == pugi::node_pi || node.type() == pugi::node_doctype) {
+        cannot_check("it has a {} before its root, which may change what is printed",
+                     node.type() == pugi::node_pi ? "processing instruction" : "document type");
+      }
     }
     const pugi::xml_node root = document.document_element();
     if (std::strcmp(root.name(), "svg") != 0) {

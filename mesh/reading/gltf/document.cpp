@@ -11,6 +11,7 @@
 #include "base/encodings.hpp"
 #include "base/text.hpp"
 #include "mesh/reading/files.hpp"
+#include "mesh/reading/gltf/meshopt.hpp"
 #include "mesh/reading/text_scanner.hpp"
 
 namespace ridgecraft::mesh {
@@ -40,6 +41,8 @@ constexpr std::uint32_t binary_chunk = 0x004E4942U;
 /// Numbers of shapes lie in buffers, so a file's JSON is small. These keep its tree below some 400 MB.
 constexpr std::size_t largest_value_count = 4'000'000;
 constexpr int deepest_nesting = 200;
+/// What is unpacked of a file, 1 GiB.
+constexpr std::uint64_t most_unpacked_views = std::uint64_t{1} << 30U;
 
 std::uint32_t uint32_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint32_t>(little_endian(bytes.substr(at, 4)));
@@ -124,15 +127,8 @@ constexpr std::array without_effect{"KHR_materials_",  "KHR_texture_", "EXT_text
                                     "KHR_animation_",  "KHR_audio",    "MSFT_packing_",    "ADOBE_materials_",
                                     "VRMC_materials_", "FB_",          "KHR_interactivity"};
 /// Those that this reader knows.
-constexpr std::array known{"KHR_mesh_quantization", "KHR_texture_transform"};
-
-struct Compression {
-  std::string_view extension;
-  std::string_view name;
-};
-constexpr std::array compressions{Compression{"KHR_draco_mesh_compression", "Draco"},
-                                  Compression{"EXT_meshopt_compression", "meshopt"},
-                                  Compression{"KHR_meshopt_compression", "meshopt"}};
+constexpr std::array known{"KHR_mesh_quantization",   "KHR_texture_transform",   "KHR_draco_mesh_compression",
+                           "EXT_meshopt_compression", "KHR_meshopt_compression", "EXT_mesh_gpu_instancing"};
 
 bool is_about_looks(std::string_view extension) {
   return std::any_of(without_effect.begin(), without_effect.end(),
@@ -388,14 +384,6 @@ void GltfDocument::check_version() const {
 
 void GltfDocument::check_extensions() const {
   for (const std::string& extension : root_->texts("extensionsRequired")) {
-    for (const Compression& packed : compressions) {
-      if (extension == packed.extension) {
-        source_.refuse(ErrorKind::unreadable_input,
-                       fmt::format("is compressed with {} ({}), which isn't read: export it again without "
-                                   "compression",
-                                   packed.name, packed.extension));
-      }
-    }
     if (!is_about_looks(extension) && std::find(known.begin(), known.end(), extension) == known.end()) {
       source_.refuse(ErrorKind::unreadable_input,
                      fmt::format("can only be read with the extension {}, which isn't known: export it again "
@@ -417,13 +405,29 @@ GltfObject GltfDocument::element(const char* list, std::uint64_t i, const GltfOb
 
 GltfView GltfDocument::view(std::uint64_t i, const GltfObject& user) {
   const GltfObject view = element("bufferViews", i, user);
-  const std::string_view bytes = buffer(view.needed_whole("buffer"), view);
-  const std::uint64_t offset = view.whole_or("byteOffset", 0);
-  const std::uint64_t length = view.needed_whole("byteLength");
-  if (offset > bytes.size() || length > bytes.size() - offset) {
-    view.refuse(fmt::format("it ends after its buffer, which has {} bytes", bytes.size()));
+  GltfView result;
+  for (const char* const name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    if (const auto packed = view.extension(name); packed && !unpacked_.contains(i)) {
+      const MeshoptElements elements{packed->needed_whole("count"), packed->needed_whole("byteStride"),
+                                     packed->text("mode"), packed->text("filter")};
+      // A few bytes may claim to hold any number.
+      if (elements.stride > 0 && elements.count > (most_unpacked_views - unpacked_bytes_) / elements.stride) {
+        view.refuse("with it the file is too large, unpacked");
+      }
+      auto unpacked = unpack_meshopt(elements, bytes_in_buffer(*packed));
+      if (!unpacked) {
+        packed->refuse(reads_meshopt()
+                           ? "its meshopt data is damaged"
+                           : "it is compressed with meshopt, which isn't read here: export it again "
+                             "without compression");
+      }
+      const std::string& bytes = unpacked_.emplace(i, std::move(*unpacked)).first->second;
+      held_ += bytes.size();
+      unpacked_bytes_ += bytes.size();
+    }
   }
-  GltfView result{bytes.substr(offset, length), {}};
+  const auto unpacked = unpacked_.find(i);
+  result.bytes = unpacked != unpacked_.end() ? std::string_view(unpacked->second) : bytes_in_buffer(view);
   if (const auto stride = view.whole("byteStride")) {
     constexpr std::uint64_t largest_stride = 252;  // by the standard
     if (*stride == 0 || *stride > largest_stride) {
@@ -432,6 +436,23 @@ GltfView GltfDocument::view(std::uint64_t i, const GltfObject& user) {
     result.stride = static_cast<std::size_t>(*stride);
   }
   return result;
+}
+
+void GltfDocument::unpack_view_of(const GltfObject& accessor) {
+  if (const auto number = accessor.whole("bufferView")) {
+    (void)view(*number, accessor);
+  }
+}
+
+/// What a view, or the extension of one, names.
+std::string_view GltfDocument::bytes_in_buffer(const GltfObject& part) {
+  const std::string_view bytes = buffer(part.needed_whole("buffer"), part);
+  const std::uint64_t offset = part.whole_or("byteOffset", 0);
+  const std::uint64_t length = part.needed_whole("byteLength");
+  if (offset > bytes.size() || length > bytes.size() - offset) {
+    part.refuse(fmt::format("it ends after its buffer, which has {} bytes", bytes.size()));
+  }
+  return bytes.substr(offset, length);
 }
 
 std::string_view GltfDocument::buffer(std::uint64_t i, const GltfObject& user) {

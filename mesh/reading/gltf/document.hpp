@@ -109,14 +109,18 @@ class GltfDocument {
   /// Bytes of a buffer view; the buffer is opened when the first of its views is wanted.
   [[nodiscard]] GltfView view(std::uint64_t i, const GltfObject& user);
 
-  /// Bytes of the file, and of the buffers next to it that were opened.
+  /// Bytes of the file, of the buffers next to it that were opened, and of what was unpacked.
   [[nodiscard]] std::uint64_t held() const { return held_; }
+  void add_unpacked(std::uint64_t bytes) { held_ += bytes; }
+  /// Unpacks the view that an accessor has its values in, where it is compressed: it counts as held then.
+  void unpack_view_of(const GltfObject& accessor);
   /// Hashes of the buffers next to the file that were opened.
   [[nodiscard]] const std::string& beside_digest() const { return beside_digest_; }
 
  private:
   void check_version() const;
   void check_extensions() const;
+  [[nodiscard]] std::string_view bytes_in_buffer(const GltfObject& part);
   [[nodiscard]] std::string_view buffer(std::uint64_t i, const GltfObject& user);
   [[nodiscard]] std::string_view open_buffer(const GltfObject& buffer);
 
@@ -126,7 +130,9 @@ class GltfDocument {
   std::optional<GltfObject> root_;
   std::map<std::uint64_t, std::string_view> opened_;  ///< by number of the buffer
   std::deque<std::string> decoded_;                   ///< from text within the file
-  std::map<std::string, std::string> files_;          ///< bytes of files next to it, by path
+  std::map<std::uint64_t, std::string> unpacked_;     ///< compressed views, by number
+  std::uint64_t unpacked_bytes_ = 0;
+  std::map<std::string, std::string> files_;  ///< bytes of files next to it, by path
   std::uint64_t held_;
   std::string beside_digest_;
 };

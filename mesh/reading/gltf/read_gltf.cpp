@@ -18,6 +18,7 @@
 #include "base/vector.hpp"
 #include "mesh/reading/files.hpp"
 #include "mesh/reading/gltf/document.hpp"
+#include "mesh/reading/gltf/draco.hpp"
 #include "mesh/reading/gltf/shape.hpp"
 #include "mesh/reading/source.hpp"
 
@@ -54,6 +55,8 @@ class GltfPaint {
 
   /// `user` names the material.
   [[nodiscard]] const GltfMaterial& material(std::uint64_t i, const GltfObject& user);
+  /// Of the materials that were asked for.
+  [[nodiscard]] std::size_t transparent() const { return transparent_; }
 
  private:
   [[nodiscard]] GltfMaterial read(const GltfObject& material);
@@ -70,6 +73,7 @@ class GltfPaint {
   std::map<std::uint64_t, GltfMaterial> read_;
   std::map<std::uint64_t, Loaded> loaded_;
   std::uint64_t looked_at_ = 0;  ///< bytes of pictures
+  std::size_t transparent_ = 0;
 };
 
 std::uint8_t screen_channel(double light) {
@@ -93,6 +97,8 @@ const GltfMaterial& GltfPaint::material(std::uint64_t i, const GltfObject& user)
 GltfMaterial GltfPaint::read(const GltfObject& material) {
   GltfMaterial out;
   out.name = printable(material.text("name"));
+  const std::string alpha = material.text("alphaMode");
+  transparent_ += alpha == "MASK" || alpha == "BLEND" ? 1U : 0U;
   // The older way to tell colours, where it is used, is what was meant.
   const auto older = material.extension("KHR_materials_pbrSpecularGlossiness");
   const auto looks = older ? older : material.object("pbrMetallicRoughness");
@@ -121,10 +127,15 @@ std::optional<GltfPicture> GltfPaint::read_map(const GltfObject& map) {
     picture.shift = {shift[0], shift[1]};
   }
   const GltfObject texture = document_.element("textures", map.needed_whole("index"), map);
-  const auto image = texture.whole("source");
+  std::optional<std::uint64_t> image = texture.whole("source");
+  for (const char* const name :
+       {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"}) {
+    if (const auto other = texture.extension(name); other && !image) {
+      image = other->whole("source");
+    }
+  }
   if (!image) {
-    remarks_.add(RepairKind::texture_missing, 1,
-                 fmt::format("{} has no PNG or JPEG picture", texture.place()));
+    remarks_.add(RepairKind::texture_missing, 1, fmt::format("{} names no picture", texture.place()));
     return std::nullopt;
   }
   load(*image, texture, picture);
@@ -237,7 +248,7 @@ class GltfReader {
   void read_instance(const GltfInstance& instance, const GltfScene& scene);
   void read_primitive(const GltfInstance& instance, const GltfObject& primitive,
                       const std::vector<double>& weights);
-  void refuse_compressed(const GltfObject& primitive) const;
+  void unpack(const GltfObject& primitive);
   [[nodiscard]] std::uint32_t place_points(const GltfInstance& instance, const GltfObject& primitive,
                                            const std::vector<double>& weights);
   [[nodiscard]] std::optional<Coordinates> place_picture(const GltfObject& attributes, std::uint64_t material,
@@ -290,16 +301,20 @@ void GltfReader::read_instance(const GltfInstance& instance, const GltfScene& sc
                    .first->second;
     moves_ = true;
   }
+  std::vector<Affine> copies{Affine{}};
   if (const auto instancing = node.extension("EXT_mesh_gpu_instancing")) {
-    instancing->refuse(
-        "copies of an object that are told by EXT_mesh_gpu_instancing aren't read: export it again "
-        "without that extension");
+    copies = copies_of(accessors_, *instancing);
   }
-  placed_.clear();
   begin_object(node, mesh);
   const std::vector<double> weights = resting_weights(node, mesh);
-  for (std::size_t i = 0; i < mesh.size("primitives"); ++i) {
-    read_primitive(instance, mesh.element("primitives", i), weights);
+  for (const Affine& copy : copies) {
+    placed_.clear();
+    GltfInstance placed = instance;
+    placed.place = instance.place * copy;
+    for (std::size_t i = 0; i < mesh.size("primitives"); ++i) {
+      read_primitive(placed, mesh.element("primitives", i), weights);
+    }
+    source_.context.check();
   }
 }
 
@@ -312,12 +327,15 @@ void GltfReader::begin_object(const GltfObject& node, const GltfObject& mesh) {
   soup_.objects.emplace_back(static_cast<std::uint32_t>(soup_.polygon_count()), std::move(name));
 }
 
-void GltfReader::refuse_compressed(const GltfObject& primitive) const {
-  if (primitive.extension("KHR_draco_mesh_compression")) {
+/// Unless the file has the same without compression.
+void GltfReader::unpack(const GltfObject& primitive) {
+  if (const auto draco = primitive.extension("KHR_draco_mesh_compression")) {
     const auto attributes = primitive.object("attributes");
     const auto positions = attributes ? attributes->whole("POSITION") : std::nullopt;
     if (!positions || !document_.element("accessors", *positions, *attributes).has("bufferView")) {
-      primitive.refuse("it is compressed with Draco, which isn't read: export it again without compression");
+      if (!positions || !accessors_.has(*positions)) {
+        unpack_draco(document_, accessors_, primitive, *draco);
+      }
     }
   }
 }
@@ -333,7 +351,7 @@ void GltfReader::read_primitive(const GltfInstance& instance, const GltfObject& 
     ++other_primitives_;
     return;
   }
-  refuse_compressed(primitive);
+  unpack(primitive);
   const auto attributes = primitive.object("attributes");
   if (!attributes) {
     primitive.refuse("\"attributes\" is missing");
@@ -484,6 +502,14 @@ void GltfReader::finish() {
   soup_.remarks.add(RepairKind::texture_point_dropped, bad_textures_);
   soup_.remarks.add(RepairKind::element_ignored, other_primitives_,
                     other_primitives_ > 0 ? "points or lines" : std::string());
+  std::vector<std::string> unused;
+  if (const std::size_t transparent = paint_.transparent(); transparent > 0) {
+    unused.push_back(fmt::format("transparency of {}", counted(transparent, "material")));
+  }
+  if (const std::size_t scenes = document_.root().size("scenes"); scenes > 1) {
+    unused.push_back(fmt::format("{} that isn't the one to show", counted(scenes - 1, "scene")));
+  }
+  soup_.remarks.add(RepairKind::feature_ignored, unused.size(), listed(unused, "and"));
   if (moves_ || document_.root().size("animations") > 0) {
     soup_.remarks.add(RepairKind::motion_ignored);
   }

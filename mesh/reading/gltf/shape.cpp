@@ -311,6 +311,7 @@ const GltfValues& GltfAccessors::values(std::uint64_t i, const GltfObject& user,
   GltfValues& values = found->second;
   if (fresh) {
     const Header header = read_header(accessor);
+    document_.unpack_view_of(accessor);
     // Each byte is part of one value at most, unless accessors overlap; sparse ones may leave out as many.
     constexpr std::uint64_t spare = 1'000'000;
     values_read_ += std::min(header.count, 2 * document_.held() + 2 * spare) * header.components;
@@ -342,19 +343,64 @@ std::vector<std::uint32_t> GltfAccessors::indices(std::uint64_t i, const GltfObj
                                  header.type != Component::uint32)) {
     accessor.refuse("it holds no whole numbers from 0, as numbers of points are");
   }
-  if (header.count > document_.held()) {
-    accessor.refuse("it has more values than the file could hold");
+  document_.unpack_view_of(accessor);
+  const auto unpacked = indices_.find(i);
+  std::vector<std::uint32_t> indices;
+  if (unpacked != indices_.end()) {
+    indices = unpacked->second;
+  } else {
+    if (header.count > document_.held()) {
+      accessor.refuse("it has more values than the file could hold");
+    }
+    indices.assign(header.count, 0);
+    for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
+      indices[at] = bits_at(bytes, size_of(header.type));
+    });
   }
-  std::vector<std::uint32_t> indices(header.count, 0);
-  for_elements(document_, accessor, header, [&](std::uint64_t at, const char* bytes) {
-    indices[at] = bits_at(bytes, size_of(header.type));
-  });
   const auto beyond =
       std::find_if(indices.begin(), indices.end(), [&](std::uint32_t p) { return p >= limit; });
   if (beyond != indices.end()) {
     user.refuse(fmt::format("it names point {}, but its points are numbered 0 to {}", *beyond, limit - 1));
   }
   return indices;
+}
+
+std::vector<Affine> copies_of(GltfAccessors& accessors, const GltfObject& instancing) {
+  std::vector<Affine> copies;
+  const auto attributes = instancing.object("attributes");
+  if (!attributes) {
+    return copies;
+  }
+  const auto values = [&](const char* name, std::span<const std::size_t> components) -> const GltfValues* {
+    const auto accessor = attributes->whole(name);
+    return accessor ? &accessors.values(*accessor, *attributes, components) : nullptr;
+  };
+  const GltfValues* const shifts = values("TRANSLATION", three);
+  const GltfValues* const turns = values("ROTATION", four);
+  const GltfValues* const scales = values("SCALE", three);
+  const GltfValues* const any = shifts != nullptr ? shifts : turns != nullptr ? turns : scales;
+  for (const GltfValues* const each : {shifts, turns, scales}) {
+    if (each != nullptr && each->count() != any->count()) {
+      attributes->refuse(fmt::format("it has {} copies and {}", any->count(), each->count()));
+    }
+  }
+  for (std::size_t i = 0; any != nullptr && i < any->count(); ++i) {
+    Affine copy;
+    if (turns != nullptr) {
+      copy = turn_of(*attributes, {(*turns)[i].begin(), (*turns)[i].end()});
+    }
+    if (scales != nullptr) {
+      const auto by = (*scales)[i];
+      for (Vec3& row : copy.rows) {
+        row = {row.x * by[0], row.y * by[1], row.z * by[2]};
+      }
+    }
+    if (shifts != nullptr) {
+      copy.shift = vector_of((*shifts)[i]);
+    }
+    copies.push_back(copy);
+  }
+  return copies;
 }
 
 GltfScene read_scene(const GltfDocument& document) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/vector.hpp"
@@ -41,9 +42,17 @@ class GltfAccessors {
   [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t i, const GltfObject& user,
                                                    std::size_t limit) const;
 
+  /// What an accessor holds whose values are compressed; the first counts.
+  void put(std::uint64_t i, const GltfValues& values) { read_.try_emplace(i, values); }
+  void put_indices(std::uint64_t i, std::vector<std::uint32_t> indices) {
+    indices_.insert_or_assign(i, std::move(indices));
+  }
+  [[nodiscard]] bool has(std::uint64_t i) const { return read_.contains(i); }
+
  private:
   GltfDocument& document_;
   std::map<std::uint64_t, GltfValues> read_;
+  std::map<std::uint64_t, std::vector<std::uint32_t>> indices_;
   std::uint64_t values_read_ = 0;
 };
 
@@ -55,6 +64,9 @@ struct GltfInstance {
   Affine place;                       ///< from the mesh's numbers to the scene's
   std::optional<std::uint64_t> skin;  ///< then joints place the points, not the node
 };
+
+/// Where copies of an object are (EXT_mesh_gpu_instancing): from its numbers to its node's.
+[[nodiscard]] std::vector<Affine> copies_of(GltfAccessors& accessors, const GltfObject& instancing);
 
 struct GltfScene {
   /// In the order in which the tree of nodes is walked through, children after their parents.

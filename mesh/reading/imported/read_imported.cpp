@@ -188,6 +188,12 @@ class StreamReader {
     if (reason.size() > longest_reason) {
       reason = printable(reason.substr(0, longest_reason)) + " ...";
     }
+    // What its words mean, where they are known.
+    if (reason.find("<h>") != reason.npos) {
+      reason = "it has polygons with holes (<ph>), which aren't read";
+    } else if (!reason.empty()) {
+      reason = fmt::format("its reader says \"{}\"", reason);
+    }
     source_.refuse(ErrorKind::unreadable_input,
                    fmt::format("can't be read as {}{}{}; {}", format_name(soup_.format),
                                reason.empty() ? "" : ": ", reason, way_by_blender()));

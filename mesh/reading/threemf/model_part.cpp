@@ -69,20 +69,18 @@ std::optional<std::uint32_t> whole(std::string_view text) {
   return read ? std::optional(value) : std::nullopt;
 }
 
-/// "#RRGGBB" or "#RRGGBBAA".
-std::optional<ColourBytes> colour_bytes(std::string_view text) {
-  if ((text.size() != 7 && text.size() != 9) || text.front() != '#') {
-    return std::nullopt;
-  }
-  ColourBytes colour{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const char* const first = text.data() + 1 + 2 * k;
-    const auto [end, error] = std::from_chars(first, first + 2, colour[k], 16);
-    if (error != std::errc() || end != first + 2) {
-      return std::nullopt;
+/// "beamlattice" of "http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02": the last part of an
+/// address that begins with a letter.
+std::string_view extension_name(std::string_view address) {
+  std::string_view rest = address;
+  while (!rest.empty()) {
+    const std::string_view last = rest.substr(rest.rfind('/') + 1);
+    if (!last.empty() && (last.front() < '0' || last.front() > '9')) {
+      return last;
     }
+    rest.remove_suffix(std::min(rest.size(), last.size() + 1));
   }
-  return colour;
+  return address;
 }
 
 class PartReader {
@@ -164,10 +162,11 @@ void PartReader::check_extensions(pugi::xml_node model) const {
     if (std::none_of(known_extensions.begin(), known_extensions.end(), [&](const char* known) {
           return told.find(known) != told.npos || (address.empty() && (prefix == "p" || prefix == "m"));
         })) {
-      source_.refuse(ErrorKind::unreadable_input,
-                     fmt::format("can only be read with the extension {}, which isn't known: export it again "
-                                 "without it",
-                                 in_quotes(told)));
+      source_.refuse(
+          ErrorKind::unreadable_input,
+          fmt::format("needs the 3MF extension {}, which isn't read: export it again without it, or "
+                      "as OBJ or STL",
+                      in_quotes(extension_name(told))));
     }
   }
 }
@@ -210,6 +209,8 @@ void PartReader::read_object(pugi::xml_node node) {
           read_points(list, object);
         } else if (local_name(list.name()) == "triangles") {
           read_triangles(list, object);
+        } else if (list.type() == pugi::node_element && local_name(list.name()) != "trianglesets") {
+          remarks_.add(RepairKind::feature_ignored, 1, shortened(local_name(list.name())));
         }
       }
     }
@@ -268,6 +269,9 @@ void PartReader::read_triangle(pugi::xml_node node, ThreemfObject& object) {
   for (const pugi::xml_attribute a : node.attributes()) {
     const auto key = std::find(keys.begin(), keys.end(), std::string_view(a.name()));
     if (key == keys.end()) {
+      if (const auto brush = local_name(a.name()); brush == "paint_color" || brush == "mmu_segmentation") {
+        object.painted.emplace_back(static_cast<std::uint32_t>(object.triangles.size()), a.value());
+      }
       continue;
     }
     const auto value = whole(a.value());
@@ -363,7 +367,8 @@ void PartReader::count_thing() {
 
 ThreemfUse PartReader::read_use(pugi::xml_node node) {
   count_thing();
-  return {part_name(attribute(node, "path")), needed(node, "objectid"), read_place(node)};
+  return {part_name(attribute(node, "path")), needed(node, "objectid"), read_place(node),
+          attribute(node, "printable") != "0"};
 }
 
 /// Twelve numbers: a matrix that stands to the right of points, row after row.
@@ -435,6 +440,21 @@ std::string_view attribute(pugi::xml_node node, std::string_view name) {
   return {};
 }
 
+std::optional<ColourBytes> colour_bytes(std::string_view text) {
+  if ((text.size() != 7 && text.size() != 9) || text.front() != '#') {
+    return std::nullopt;
+  }
+  ColourBytes colour{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const char* const first = text.data() + 1 + 2 * k;
+    const auto [end, error] = std::from_chars(first, first + 2, colour[k], 16);
+    if (error != std::errc() || end != first + 2) {
+      return std::nullopt;
+    }
+  }
+  return colour;
+}
+
 std::string part_name(std::string_view name) {
   name.remove_prefix(std::min(name.find_first_not_of('/'), name.size()));
   return std::string(name);
@@ -483,6 +503,31 @@ pugi::xml_document ThreemfPackage::xml(const std::string& part) {
   }
   source_.context.check();
   return document;
+}
+
+namespace {
+
+/// What `read` gives, or nothing where that can't be read.
+template <class Read>
+auto if_readable(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::unreadable_input) {
+      throw;
+    }
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::optional<pugi::xml_document> ThreemfPackage::side_xml(const std::string& part) {
+  return has(part) ? if_readable([&] { return xml(part); }) : std::nullopt;
+}
+
+std::optional<std::string> ThreemfPackage::side_bytes(const std::string& part) {
+  return has(part) ? if_readable([&] { return bytes(part); }) : std::nullopt;
 }
 
 std::string ThreemfPackage::bytes(const std::string& part) {

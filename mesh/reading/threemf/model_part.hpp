@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -27,6 +28,9 @@ namespace ridgecraft::mesh {
 /// A part's name as messages and lists have it: without the slash at its start.
 [[nodiscard]] std::string part_name(std::string_view name);
 
+/// "#RRGGBB" or "#RRGGBBAA".
+[[nodiscard]] std::optional<ColourBytes> colour_bytes(std::string_view text);
+
 class ThreemfPackage {
  public:
   explicit ThreemfPackage(const Source& source);
@@ -35,6 +39,10 @@ class ThreemfPackage {
   [[nodiscard]] const std::string& root() const { return root_; }
   /// The XML of a part. Refuses what is no XML, and what would take more memory than is reasonable.
   [[nodiscard]] pugi::xml_document xml(const std::string& part);
+  /// The XML of a part that a program added for itself; nothing where there is none, or it is damaged.
+  [[nodiscard]] std::optional<pugi::xml_document> side_xml(const std::string& part);
+  /// The same of its bytes, where it is no XML.
+  [[nodiscard]] std::optional<std::string> side_bytes(const std::string& part);
   [[nodiscard]] bool has(const std::string& part) const { return archive_.has(part); }
   /// The bytes of a part that is no XML.
   [[nodiscard]] std::string bytes(const std::string& part);
@@ -72,6 +80,7 @@ struct ThreemfUse {
   std::string part;  ///< the part that it is in; empty for this one
   std::uint32_t object = 0;
   Affine place;
+  bool printable = true;  ///< slicers: whether an item of the build is to be made
 };
 
 struct ThreemfObject {
@@ -79,6 +88,8 @@ struct ThreemfObject {
   std::string type;  ///< "model", "support" and so on
   std::vector<Vec3> points;
   std::vector<ThreemfTriangle> triangles;
+  /// What slicers' brushes painted onto triangles, by their numbers, ascending.
+  std::vector<std::pair<std::uint32_t, std::string>> painted;
   std::vector<ThreemfUse> components;
   ThreemfPaint paint;  ///< of the triangles that have none
 };

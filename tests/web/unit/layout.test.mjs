@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {faceOfPiece, piecesWith, placeOfPiece} from "../../../web/drag.js";
+import {faceOfPiece, piecesWith, placeOfPiece} from "../../../web/desk.js";
 
 /** Two triangles, each a piece of its own, on two pages whose corners are elsewhere in the plane of all nets. */
 const nets = {

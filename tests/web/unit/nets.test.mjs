@@ -5,7 +5,7 @@ import {readFileSync} from "node:fs";
 import {test} from "node:test";
 
 import {Folding} from "../../../web/folding.js";
-import {faceAt, readNets} from "../../../web/nets.js";
+import {faceOfPieceAt, readNets} from "../../../web/nets.js";
 import {segmentDistance} from "../../../web/scene.js";
 
 const nets = readNets(readFileSync(new URL("../../golden/files/house.fold", import.meta.url), "utf8"));
@@ -18,9 +18,9 @@ test("all pieces fold back to the model", () => {
 test("a face is found at its middle, and none outside of the pieces", () => {
   for (let f = 0; f < nets.facePiece.length; ++f) {
     const [x, y] = [0, 1].map((k) => [0, 1, 2].reduce((sum, c) => sum + nets.points[2 * nets.faces[3 * f + c] + k], 0) / 3);
-    assert.equal(faceAt(nets, nets.pieces[nets.facePiece[f]].page, x, y), f);
+    assert.equal(faceOfPieceAt(nets, nets.facePiece[f], x, y), f);
   }
-  assert.equal(faceAt(nets, 0, -1000, 0), -1);
+  assert.equal(faceOfPieceAt(nets, 0, -1000, 0), -1);
 });
 
 test("each join has two edges of the same length", () => {

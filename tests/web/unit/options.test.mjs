@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {optionsOf, optionTable, wordsOf} from "../../../web/options.js";
+import {hashOf, optionsIn, optionsOf, optionTable, wordsOf} from "../../../web/options.js";
 
 /** A value that isn't the usual one. */
 function valueOf({kind, usual, choices}) {
@@ -30,4 +30,13 @@ test("an option that stands for another is that one", () => {
 
 test("words that are no options are passed on, in their order", () => {
   assert.deepEqual(optionsOf(["--unknown", "--size=20cm", "x"]), {options: {size: "20cm"}, rest: ["--unknown", "x"]});
+});
+
+test("options are in an address and come out of it", () => {
+  const options = {size: "180", paper: "A3", only: "roof; door", keep_bodies: true, tabs: "none"};
+  const hash = hashOf(options);
+  assert.ok(/^#o=[\w%.-]+$/.test(hash), hash);
+  assert.deepEqual(optionsIn(hash), options);
+  assert.deepEqual(optionsIn(""), {});
+  assert.deepEqual(optionsIn("#o=--nonsense%0A--paper%3DA5"), {paper: "A5"});
 });

@@ -8,6 +8,7 @@ const asked = [];
 let workers = 0;
 let refusing = false;
 let silent = false;
+let leftOut = [];
 globalThis.Worker = class {
   constructor() {
     ++workers;
@@ -15,7 +16,7 @@ globalThis.Worker = class {
   postMessage({id, ...message}) {
     asked.push(message);
     const answer = refusing && message.call === "apply" ? {id, refused: {why: {code: "no_such_page", values: {}, text: ""}, faces: [3]}}
-      : {id, fold: "{}", sheets: "", summary: {}};
+      : {id, fold: "{}", sheets: "", summary: {}, left_out: message.call === "repeat" ? leftOut : []};
     silent || setTimeout(() => this.ended || this.onmessage({data: answer}));
   }
   terminate() {
@@ -43,8 +44,8 @@ test("what is undone is done again, the last edit first", async () => {
   await backend.redo();
   const state = await backend.redo();
   assert.deepEqual([state.canUndo, state.canRedo], [true, false]);
-  assert.deepEqual(lines(), ["cut 1 2", "cut 3 4", "cut 1 2", "cut 3 4"]);
   assert.deepEqual(backend.project.steps, ["cut 1 2", "cut 3 4"]);
+  assert.deepEqual(lines(), ["cut 1 2", "cut 3 4"], "what is shown again isn't made again");
 });
 
 test("a new edit forgets what was undone", async () => {
@@ -68,10 +69,10 @@ test("options keep the edits, and so does a worker that is ended", async () => {
   const backend = await opened();
   await backend.apply(cut(1, 2));
   await backend.set({size: "20cm"});
-  assert.deepEqual(asked.at(-1).steps, ["cut 1 2"]);
+  assert.deepEqual(asked.at(-1), {call: "repeat", steps: ["cut 1 2"]});
   const before = workers;
   silent = true;
-  const lost = backend.undo();
+  const lost = backend.set({size: "30cm"});
   await new Promise((go) => setTimeout(go));
   silent = false;
   backend.cancel();
@@ -79,6 +80,67 @@ test("options keep the edits, and so does a worker that is ended", async () => {
   await backend.apply(cut(3, 4));
   assert.ok(workers > before);
   const made = asked.filter(({call}) => call === "make").at(-1);
-  assert.deepEqual([made.steps, made.words], [["cut 1 2"], ["cube.obj", "--size", "20cm"]]);
+  assert.deepEqual(made.words, ["cube.obj", "--size", "20cm"]);
+  assert.deepEqual(asked.filter(({call}) => call === "repeat").at(-1).steps, ["cut 1 2"]);
   assert.deepEqual(backend.project.steps, ["cut 1 2", "cut 3 4"]);
+});
+
+test("options and edits are one history, and the program comes after", async () => {
+  const backend = await opened();
+  await backend.apply(cut(1, 2));
+  await backend.set({size: "151"});
+  await backend.apply(cut(3, 4));
+  await backend.apply(cut(5, 6));
+  assert.deepEqual(backend.history.moments.map(({what}) => what.kind), ["open", "edits", "options", "edits", "edits"]);
+  asked.length = 0;
+
+  // Two edits back: the worker undoes them together.
+  const two = await backend.go(2);
+  assert.deepEqual([two.options, backend.project.steps], [{size: "151"}, ["cut 1 2"]]);
+  assert.equal(asked.length, 0);
+  await backend.catchUp();
+  assert.deepEqual(asked, [{call: "undo", count: 2}]);
+
+  // Over the change of an option: it makes the paper again, with the steps of then.
+  const one = await backend.go(1);
+  assert.deepEqual(one.options, {});
+  await backend.catchUp();
+  assert.deepEqual([asked.at(-2).words, asked.at(-1)], [["cube.obj"], {call: "repeat", steps: ["cut 1 2"]}]);
+
+  // And forward to the end, in one go.
+  await backend.go(4);
+  await backend.catchUp();
+  assert.deepEqual(asked.at(-1), {call: "repeat", steps: ["cut 1 2", "cut 3 4", "cut 5 6"]});
+});
+
+test("steps that options don't allow stay in the project, and come back with other options", async () => {
+  const backend = await opened();
+  await backend.apply(cut(1, 2));
+  await backend.apply(cut(3, 4));
+  leftOut = [0];
+  const {left} = await backend.set({size: "151"});
+  leftOut = [];
+  assert.deepEqual(left, ["cut 1 2"]);
+  assert.deepEqual(backend.project.steps, ["cut 1 2", "cut 3 4"]);
+  assert.deepEqual((await backend.set({size: ""})).left, []);
+  assert.deepEqual(asked.at(-1).steps, ["cut 1 2", "cut 3 4"]);
+});
+
+test("a project that is restored goes on where it was", async () => {
+  const backend = await opened();
+  await backend.apply(cut(1, 2));
+  await backend.set({size: "151"});
+  await backend.undo();
+  const saved = structuredClone(backend.saved());
+  const other = await opened();
+  const state = await other.restore(saved);
+  assert.deepEqual([state.options, state.canUndo, state.canRedo, other.project.steps], [{}, true, true, ["cut 1 2"]]);
+  assert.deepEqual((await other.redo()).options, {size: "151"});
+  assert.deepEqual((await other.go(0)).canUndo, false);
+  assert.deepEqual(other.project.steps, []);
+});
+
+test("a refusal that is about an edge outlines no pieces", () => {
+  assert.deepEqual(Refusal.of({code: "closes_loop", values: {a: "A"}, text: ""}, [1, 2, 3]).faces, []);
+  assert.deepEqual(Refusal.of({code: "would_overlap", values: {a: "A", b: "B"}, text: ""}, [1, 2, 3]).faces, [1, 2, 3]);
 });

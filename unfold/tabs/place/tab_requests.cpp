@@ -31,7 +31,7 @@ void set_angle(double angle, TabOptions& options) {
   options.steepest_angle = std::max(options.steepest_angle, angle);
 }
 
-/// What is asked for a number, told of the join that has it.
+/// What is asked for a number, told of a join that has it.
 TabAt tab_at(const mesh::Surface& surface, const Nets& nets, const Join& join, const EdgeTab& asked) {
   TabAt at{join.edge, asked.wanted, std::nullopt, false, asked.both, asked.height_mm, asked.angle};
   if (!asked.piece.empty()) {
@@ -177,22 +177,26 @@ TabOptions with_greatest_height(TabOptions options, std::span<const TabRequest> 
 
 std::vector<TabAt> by_edges(const mesh::Surface& surface, const Nets& nets,
                             const std::vector<EdgeTab>& asked) {
-  std::map<std::uint32_t, const Join*> join_of;
+  std::map<std::uint32_t, std::vector<const Join*>> joins_of;
   for (const Join& join : nets.joins) {
-    join_of[join.number] = &join;
+    joins_of[join.number].push_back(&join);
   }
-  std::map<std::uint32_t, TabAt> last;
+  std::map<std::uint32_t, std::vector<TabAt>> last;
   for (const EdgeTab& edge : asked) {
-    const auto found = join_of.find(edge.number);
-    if (found == join_of.end()) {
+    const auto found = joins_of.find(edge.number);
+    if (found == joins_of.end()) {
       throw Error(ErrorKind::unreadable_input,
                   fmt::format("{}: no edge that is glued has the number {}", edge.where, edge.number));
     }
-    last[edge.number] = tab_at(surface, nets, *found->second, edge);
+    std::vector<TabAt>& tabs = last[edge.number];
+    tabs.clear();
+    for (const Join* join : found->second) {
+      tabs.push_back(tab_at(surface, nets, *join, edge));
+    }
   }
   std::vector<TabAt> at;
-  for (const auto& [number, tab] : last) {
-    at.push_back(tab);
+  for (const auto& [number, tabs] : last) {
+    at.insert(at.end(), tabs.begin(), tabs.end());
   }
   return at;
 }

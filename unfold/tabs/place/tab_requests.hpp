@@ -16,7 +16,7 @@ namespace ridgecraft::unfold {
 /// How one join's tab is to be.
 struct TabRequest {
   bool wanted = true;
-  bool second = false;               ///< a tab on the other side, too (missing_tabs.hpp)
+  bool second = false;               ///< a tab on the other side, too (more_tabs.hpp)
   std::optional<std::uint8_t> side;  ///< of Surface::sides(edge): 0 or 1, from which it grows
   bool no_other_side = false;        ///< rather no tab than one on the other side
   bool slot = false;                 ///< to be put into a slit (slot_tabs.hpp), with the height for it

@@ -476,6 +476,16 @@ void TabState::find_tabs_near(std::uint32_t side, std::vector<std::uint32_t>& si
                   });
 }
 
+std::vector<std::uint32_t> TabState::faces_near(std::uint32_t side) const {
+  std::vector<std::uint32_t> faces;
+  if (!candidates_[side].empty()) {
+    const Circle near = circle(side);
+    net_.visit_near(net_.tree_of(side / 3), near.centre, near.radius + reach_ + options_.clearance_mm,
+                    [&](std::uint32_t face) { faces.push_back(face); });
+  }
+  return faces;
+}
+
 /// Does a tab on side a keep clear of the tab that side b has?
 bool TabState::clear(std::uint32_t a, const TabCandidate& tab_a, std::uint32_t b) const {
   const TabCandidate& tab_b = candidates_[b][chosen_[join_of(b)].shape];

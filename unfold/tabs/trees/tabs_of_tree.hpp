@@ -118,6 +118,9 @@ class TabState {
     return choice.side == side ? &candidates_[side][choice.shape] : nullptr;
   }
 
+  /// Faces of a side's tree that its tabs could meet, or the tabs of; none where it can have no tab.
+  [[nodiscard]] std::vector<std::uint32_t> faces_near(std::uint32_t side) const;
+
   /// Per side: the tabs that it may have.
   [[nodiscard]] const std::vector<std::vector<TabCandidate>>& candidates() const { return candidates_; }
   /// Per side: folds that its tabs need behind them (TabTargets::across).
