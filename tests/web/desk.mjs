@@ -10,8 +10,8 @@ const {values, require, out, faults, check} = subject();
 const file = await playedPage(values);
 const browser = await launch(require, values.browser, true);
 
-async function open() {
-  const context = await browser.newContext({viewport: {width: 1280, height: 800}, reducedMotion: "reduce", locale: "en-GB"});
+async function open(options = {}) {
+  const context = await browser.newContext({viewport: {width: 1280, height: 800}, reducedMotion: "reduce", locale: "en-GB", ...options});
   const page = await context.newPage();
   page.setDefaultTimeout(60000);
   await page.goto(pathToFileURL(file).href);
@@ -303,5 +303,33 @@ async function frames() {
   await context.close();
 }
 
-await runAll(browser, [severalPieces, keysAtEdges, whatStays, besideTheSheets, frames], faults);
+/** Words of what is pointed at come and go, and what is pointed at stays below the pointer: a click would miss it otherwise. */
+async function pointingMovesNothing() {
+  for (const width of [1280, 1024]) {
+    const {context, page, inspect, shot} = await open({viewport: {width, height: 800}, locale: "de-DE"});
+    const views = () => page.evaluate(() => ["stage", "plan"].map((id) => {
+      const {left, top, right, bottom} = document.getElementById(id).getBoundingClientRect();
+      return [left, top, right, bottom].join(" ");
+    }).join(", "));
+    await settled(page);
+    const before = await views();
+    const lines = new Set();
+    const {joins, folds} = await inspect();
+    for (const edge of [...joins.filter((_, k) => k % 6 === 0).map(({edges}) => edges[0]), folds[0]]) {
+      await page.mouse.move(...(await inspect({edge})).places.sheet.map(Math.round));
+      await settled(page);
+      lines.add(await page.evaluate(() => document.querySelector("footer").offsetHeight));
+      const now = await views();
+      if (now !== before) {
+        check(false, `at edge ${edge} the views lie at ${now}, and before at ${before}`);
+        break;
+      }
+    }
+    check(lines.size > 1, `at a width of ${width} no words take more lines than others`);
+    await shot(`foot-${width}`);
+    await context.close();
+  }
+}
+
+await runAll(browser, [severalPieces, keysAtEdges, pointingMovesNothing, whatStays, besideTheSheets, frames], faults);
 await end(browser, faults);
