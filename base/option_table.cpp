@@ -207,6 +207,14 @@ std::vector<OptionGroup> option_groups() {
        .help = "Print the model's colours and pictures, print them as light tints, or print lines alone "
        "(colour; lines with a machine's preset).",
        .keyword = "ink", .studio = {"paper", {"Colours", "Farben"}, {}, {}, false}},
+      {.name = "details", .kind = Kind::choice, .usual = "auto",
+       .choices = {{"auto", {"where there are no pictures", "wo es keine Bilder gibt"}},
+                   {"lines", {"as lines", "als Linien"}},
+                   {"shade", {"as shade", "als Schatten"}}, {"none", {"not", "nicht"}}},
+       .help = "Print what simplification takes from the model's shape: edges that the paper has no fold for, as "
+       "thin grey lines; its hollows, as shade; or nothing; auto draws lines on models without pictures (auto).",
+       .keyword = "details",
+       .studio = {"paper", {"Details lost to simplification", "Beim Vereinfachen verlorene Details"}}},
       {.name = "dpi", .kind = Kind::number, .takes = "DOTS", .usual = "300", .low = 36.0, .high = 1200.0,
        .help = "Dots an inch of printed pictures (300).",
        .keyword = "dpi", .studio = {"paper", {"Dots an inch of pictures", "Bildpunkte je Zoll"}}},
@@ -427,6 +435,7 @@ const std::vector<OptionRule>& option_rules() {
       {"tabs=slots", false, "thickness", "why_board_slots"},
       {"duplex", true, "numbers=back", "why_duplex"},
       {"dpi", false, "ink=lines", "why_dpi"},
+      {"details=shade", false, "ink=lines", "why_dpi"},
       {"hinge", true, "thickness", "why_hinge"},
       {"spot", true, "preset=packaging", "why_spot"},
       {"bed", false, "paper", "why_bed"},

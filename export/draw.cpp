@@ -15,6 +15,7 @@
 #include "export/page/piece_drawing.hpp"
 #include "export/page/seam_marks.hpp"
 #include "export/page/texts.hpp"
+#include "export/paint/lost_edges.hpp"
 #include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/pieces.hpp"
@@ -106,6 +107,7 @@ class PageDrawer {
     }
     report_.pictures =
         paint_pieces({model_, nets_, contents_, pages_, style_, piece_ids_}, pieces_, known, context_);
+    draw_lost_edges();
     collect_groups();
     drawings_.resize(lists_.size());
     finish_pages();
@@ -160,6 +162,17 @@ class PageDrawer {
   void draw_tab_shadows(std::size_t page) {
     for (std::size_t i = 0; style_.tab_shadows && i < pieces_[page].size(); ++i) {
       add_tab_shadows(on_page(piece_ids_[page][i]), pieces_[page][i]);
+    }
+  }
+
+  void draw_lost_edges() {
+    if (style_.details != Details::lines && style_.details != Details::automatic) {
+      return;
+    }
+    for (std::size_t page = 0; page < pages_.count; ++page) {
+      for (std::size_t i = 0; i < pieces_[page].size(); ++i) {
+        add_lost_edges(on_page(piece_ids_[page][i]), pieces_[page][i]);
+      }
     }
   }
 

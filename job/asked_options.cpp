@@ -181,6 +181,7 @@ constexpr std::array fields{
     Field{"numbers", [](Options& o) -> Place { return any_enum(o.style.numbers); }},
     Field{"duplex", [](Options& o) -> Place { return any_enum(o.style.turned_over); }},
     Field{"ink", [](Options& o) -> Place { return any_enum(o.style.ink); }},
+    Field{"details", [](Options& o) -> Place { return any_enum(o.style.details); }},
     Field{"dpi", [](Options& o) -> Place { return &o.style.dots_per_inch; }},
     Field{"keep-bodies", [](Options& o) -> Place { return any_enum(o.bodies); }},
     Field{"skins", [](Options& o) -> Place { return any_enum(o.simplify.skins); }},

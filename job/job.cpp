@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/vector.hpp"
 #include "base/version.hpp"
+#include "export/paint/lost_edges.hpp"
 #include "export/sheet/pages.hpp"
 #include "export/view/camera.hpp"
 #include "job/edge_requests.hpp"
@@ -24,6 +25,8 @@
 #include "job/remark.hpp"
 #include "job/settings.hpp"
 #include "job/unfold_options.hpp"
+#include "mesh/look/relief.hpp"
+#include "mesh/look/shade.hpp"
 #include "mesh/model/model.hpp"
 #include "prepare/clean_bodies.hpp"
 #include "prepare/prepare.hpp"
@@ -242,9 +245,28 @@ std::optional<mesh::LookParts> look_for(const Options& options, mesh::Model& mod
   }
   std::vector<std::string> faults;
   std::optional<mesh::LookParts> look = mesh::look_of(model, context, faults);
+  if (options.style.details == export_::Details::shade) {
+    look = look ? std::move(look) : mesh::white_look(model.surface);
+    mesh::add_shade(*look, context);
+  }
   model.repairs.add(mesh::RepairKind::texture_missing, faults.size(),
                     faults.empty() ? std::string() : faults.front());
   return look;
+}
+
+bool has_pictures(const mesh::Model& model) {
+  return model.corner_colours != nullptr ||
+         std::any_of(model.materials.begin(), model.materials.end(),
+                     [](const mesh::Material& material) { return material.has_picture(); });
+}
+
+/// The sharp edges of the model as it was read, for pages that have those which paper has no fold for.
+std::optional<mesh::ReliefParts> relief_for(const Options& options, const mesh::Model& model) {
+  const bool shown_by_pictures = options.style.details == export_::Details::automatic &&
+                                 options.style.ink != export_::Ink::lines && has_pictures(model);
+  const bool wanted = options.style.details == export_::Details::lines ||
+                      options.style.details == export_::Details::automatic;
+  return !options.paper || !wanted || shown_by_pictures ? std::nullopt : mesh::relief_of(model.surface);
 }
 
 /// Models of more faces aren't judged once more at another size, and no other result takes the place of one
@@ -369,6 +391,7 @@ class Run {
         parts_standing_for(options_.edges, options_.bodies == prepare::Bodies::unite &&
                                                used.simplify.mode != prepare::Simplification::keep);
     look_ = clock_("prepare", context_, [&] { return look_for(options_, model, context_); });
+    relief_ = clock_("prepare", context_, [&] { return relief_for(options_, model); });
     return model;
   }
 
@@ -472,6 +495,9 @@ class Run {
       prepared.look = std::make_shared<const mesh::Look>(std::move(*look_), prepared.from_model.factor,
                                                          prepared.from_model.shift);
     }
+    if (relief_) {
+      in_stage("prepare", [&] { draw_lost_edges(); });
+    }
     made_.cleanup.left_out.loose += prepared.loose;
     // Bodies that were parted are no longer those of the file, as if they had been united.
     UsedOptions& used = made_.used;
@@ -480,6 +506,16 @@ class Run {
     used.bodies = used.simplify.part_attached ? prepare::Bodies::unite : used.bodies;
     made_.searched_with = settings_of(options_, used, made_.seed);
     made_.slivers = prepare::count_slivers(prepared.model.surface, prepared.panels);
+  }
+
+  /// As far as anything may have moved: by simplification, and by what was left out as too small.
+  void draw_lost_edges() {
+    prepare::Prepared& prepared = made_.prepared;
+    const mesh::Relief relief(std::move(*relief_), prepared.from_model.factor, prepared.from_model.shift);
+    const double reach = std::max(
+        {prepared.simplified.deviation_mm, made_.cleanup.proxies.moved_mm, made_.used.simplify.tiny_edge_mm});
+    prepared.lost_edges =
+        export_::find_lost_edges(prepared, relief, reach, options_.style.hidden_fold_angle, context_);
   }
 
   void require_buildable() const {
@@ -539,6 +575,7 @@ class Run {
   StageClock clock_;
   std::vector<Message> notes_;
   std::optional<mesh::LookParts> look_;
+  std::optional<mesh::ReliefParts> relief_;
   std::optional<mesh::Model> as_read_;  ///< where it may have to be judged at another size
   mesh::Surface united_;                ///< what it became at the usual size, then
   bool pages_remarked_ = false;

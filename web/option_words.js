@@ -32,6 +32,7 @@ export const optionTable = [
   {key: "pack", group: "paper", kind: "choice", word: "--pack", usual: "fast", choices: ["fast", "good"], more: true},
   {key: "grain", group: "paper", kind: "choice", word: "--grain", usual: "any", choices: ["any", "long", "short"], more: true},
   {key: "ink", group: "paper", kind: "choice", word: "--ink", usual: "colour", choices: ["colour", "pale", "lines"]},
+  {key: "details", group: "paper", kind: "choice", word: "--details", usual: "auto", choices: ["auto", "lines", "shade", "none"], more: true},
   {key: "dpi", group: "paper", kind: "number", word: "--dpi", usual: "300", more: true},
   {key: "only", group: "pieces", kind: "list", word: "--only", usual: "", more: true},
   {key: "without", group: "pieces", kind: "list", word: "--without", usual: "", more: true},

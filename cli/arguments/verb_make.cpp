@@ -319,6 +319,9 @@ std::optional<Vec2> calibration_of(const std::string& text) {
 
 void set_ink(const job::AskedOptions& asked, MakeJob& job) {
   // What a machine cuts out bears no colours, unless the user says that it is printed before.
+  if (!asked.given("details") && job.preset.is_machine() && !job.print_and_cut) {
+    job.options.style.details = export_::Details::none;
+  }
   if (!asked.given("ink") && job.preset.is_machine() && !job.print_and_cut) {
     job.options.style.ink = export_::Ink::lines;
     if (asked.given("dpi")) {

@@ -42,6 +42,7 @@ enum class Line {
   slivers,
   folding,
   colours,
+  lost_edges,
   bodies,
   guide,
   notes,

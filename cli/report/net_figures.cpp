@@ -349,6 +349,13 @@ void say_colours(Summary& summary, const job::Result& made) {
   }
 }
 
+void say_lost_edges(Summary& summary, const job::Result& made) {
+  if (!made.prepared.lost_edges.empty()) {
+    summary.say(Line::lost_edges, "small edges",
+                "that its folds don't show are printed as thin grey lines; --details none leaves them out");
+  }
+}
+
 void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<export_::Body>& bodies) {
   Value list(Value::List{});
   for (const export_::Body& body : bodies) {

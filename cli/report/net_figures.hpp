@@ -68,6 +68,7 @@ void add_folding(Summary& summary, const unfold::Nets& nets);
 [[nodiscard]] bool has_colours(const mesh::Model& model);
 /// Says whether pages show them, where there are any.
 void say_colours(Summary& summary, const job::Result& made);
+void say_lost_edges(Summary& summary, const job::Result& made);
 
 /// Which pieces make each separate body, and beside which piece it belongs.
 void add_bodies(Summary& summary, const unfold::Nets& nets, const std::vector<export_::Body>& bodies);

@@ -291,6 +291,7 @@ Summary summary(const MakeJob& job, const MakeResult& result) {
   summary.add("short_share", rounded(made.prepared.work.short_share()));
   say_simplified(summary, made);
   say_colours(summary, made);
+  say_lost_edges(summary, made);
   summary.add_seconds(result.seconds);
   summary.add_repairs(model.repairs);
   summary.add_notes(notes_of(made));

@@ -60,7 +60,7 @@ struct LegendItem {
   std::string_view word;
   std::string_view short_word;
 };
-constexpr std::array<LegendItem, 7> legend_items{{
+constexpr std::array<LegendItem, 8> legend_items{{
     {&LineKinds::cut, Layer::mark, Fold::none, "cut", "cut"},
     {&LineKinds::mountain, Layer::mark, Fold::mountain, "mountain fold", "mountain"},
     {&LineKinds::valley, Layer::mark, Fold::valley, "valley fold", "valley"},
@@ -68,6 +68,7 @@ constexpr std::array<LegendItem, 7> legend_items{{
     {&LineKinds::flat_tab, Layer::tab_fold, Fold::none, "tab edge, not folded", "no fold"},
     {&LineKinds::glue, Layer::glue, Fold::none, "glue a piece here", "glue here"},
     {&LineKinds::leader, Layer::label, Fold::none, "name or number of the edge", "its number"},
+    {&LineKinds::detail, Layer::paint, Fold::none, "only printed", "printed"},
 }};
 
 /// How much room a legend takes: the first that fits is chosen.
@@ -286,6 +287,7 @@ LineKinds line_kinds(const std::vector<Group>& groups) {
       kinds.flat_tab = kinds.flat_tab || (line.layer == Layer::tab_fold && line.fold == Fold::none);
       kinds.glue = kinds.glue || line.layer == Layer::glue;
       kinds.leader = kinds.leader || line.layer == Layer::label;
+      kinds.detail = kinds.detail || (line.layer == Layer::paint && line.like == Layer::paint);
     }
   }
   return kinds;

@@ -22,6 +22,7 @@ struct LineKinds {
   bool flat_tab = false;  ///< dotted bases of tabs that aren't folded
   bool glue = false;      ///< outlines of what is glued on
   bool leader = false;    ///< lines from numbers and names to their edges
+  bool detail = false;    ///< edges of the model that aren't folded
 };
 
 /// What is drawn in these groups.

@@ -75,7 +75,8 @@ struct Line {
   bool closed = false;
   Fold fold = Fold::none;  ///< of folds, bases of tabs and their samples in the legend
   /// Of a mark: looks like a line of this layer, as samples in the legend do. Of paint: is the halo around
-  /// such a line, where its ground is dark here and light there.
+  /// such a line, where its ground is dark here and light there, or, like paint, an edge of the model that
+  /// isn't folded.
   Layer like = Layer::mark;
   Tone tone = Tone::dark;
   std::optional<Pen> pen = {};  ///< instead of the layer's look

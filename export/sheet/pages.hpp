@@ -41,6 +41,14 @@ enum class Ink {
   lines,   ///< nothing but lines
 };
 
+/// How much of the shape that the model had before it was simplified is printed.
+enum class Details {
+  automatic,  ///< as lines, but for models with pictures, which show them
+  lines,      ///< thin grey lines
+  shade,      ///< what lies in hollows of the model is darker
+  none,
+};
+
 /// Where the numbers of edges stand.
 enum class Numbers {
   inside,   ///< on the piece, at its edges, and on tabs
@@ -61,6 +69,7 @@ struct Style {
   Numbers numbers = Numbers::inside;
   TurnedOver turned_over = TurnedOver::long_edge;  ///< sheets with numbers on their backs
   Ink ink = Ink::colour;
+  Details details = Details::automatic;
   double dots_per_inch = 300.0;  ///< of pictures; areas of one colour have no dots
 };
 

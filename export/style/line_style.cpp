@@ -23,6 +23,10 @@ constexpr double leader_width = 0.1;
 constexpr double glue_width = 0.15;
 constexpr double glue_dashes[] = {1.0, 0.8};
 constexpr Color leader_grey{0x80, 0x80, 0x80};
+/// Edges of the model that are printed, not folded: paler than a leader, and broader, so that printers show
+/// them.
+constexpr double lost_edge_width = 0.15;
+constexpr Color lost_edge_grey{0xa0, 0xa0, 0xa0};
 /// On dark colours. Not white: printers leave that out, so whoever looks for lines takes white ones for none.
 constexpr Color light_tone{0xec, 0xec, 0xec};
 /// A dash isn't shortened below this as long as shortening the rest of the pattern can be avoided, mm.
@@ -63,6 +67,7 @@ LineStyle dark_style_of(const Line& line) {
     case Layer::mark:
       return {line.fold == Fold::none ? mark_width : fold_width, {}, pattern_of(line.fold)};
     case Layer::paint:
+      return {lost_edge_width, lost_edge_grey, {}};
     case Layer::tab_fill:
     case Layer::piece_name:
     case Layer::picture:
@@ -74,7 +79,7 @@ LineStyle dark_style_of(const Line& line) {
 }  // namespace
 
 LineStyle style_of(const Line& line) {
-  if (line.layer == Layer::paint) {
+  if (line.layer == Layer::paint && line.like != Layer::paint) {
     Line around = line;
     around.layer = line.like;
     const LineStyle style = dark_style_of(around);

@@ -11,6 +11,7 @@
 #include "base/id.hpp"
 #include "base/vector.hpp"
 #include "mesh/look/look.hpp"
+#include "mesh/look/relief.hpp"
 #include "mesh/model/model.hpp"
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/effort.hpp"
@@ -93,6 +94,9 @@ struct Prepared {
   /// What the model looked like before anything was done to its faces, in the place of `model`; null where it
   /// has no colours, or nobody wants them.
   std::shared_ptr<const mesh::Look> look;
+  /// Sharp edges of the model as it was read that its faces have no fold for, as lines on its faces,
+  /// ascending by face; empty where nobody wants them.
+  std::vector<mesh::FaceLine> lost_edges;
   SizeReason size_reason = SizeReason::none;
   /// Where nobody could fold it at this size: the smallest largest extent, mm, at which somebody can; none if
   /// there is none that makes sense.

@@ -136,6 +136,7 @@ def run(
     numbers: Optional[Literal["inside", "tabs", "outside", "back"]] = None,
     duplex: Optional[Literal["long", "short"]] = None,
     ink: Optional[Literal["colour", "pale", "lines"]] = None,
+    details: Optional[Literal["auto", "lines", "shade", "none"]] = None,
     dpi: Optional[Union[float, str]] = None,
     keep_bodies: Optional[bool] = None,
     skins: Optional[Literal["outer", "middle", "both"]] = None,
@@ -190,6 +191,8 @@ def run(
     duplex: With numbers back: over which edge the printer turns the sheets (long).
     ink: Print the model's colours and pictures, print them as light tints, or print lines alone (colour; lines with a
         machine's preset).
+    details: Print what simplification takes from the model's shape: edges that the paper has no fold for, as thin grey
+        lines; its hollows, as shade; or nothing; auto draws lines on models without pictures (auto).
     dpi: Dots an inch of printed pictures (300).
     keep_bodies: Leave bodies that touch or run into each other as they are, hidden faces and all; without it they
         become one outer skin.
@@ -241,6 +244,7 @@ def run(
         "numbers": numbers,
         "duplex": duplex,
         "ink": ink,
+        "details": details,
         "dpi": dpi,
         "keep_bodies": keep_bodies,
         "skins": skins,
