@@ -20,8 +20,9 @@ struct Crease {
   std::array<Vec3, 2> normals;  ///< of the faces at it; of the same face twice at a border
 };
 
+/// All faces and creases of a surface.
 struct ReliefParts {
-  std::vector<std::array<Vec3, 3>> faces;
+  std::vector<std::array<Vec3, 3>> faces;  ///< their corners
   std::vector<Crease> creases;
 };
 
