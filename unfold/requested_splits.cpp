@@ -2,6 +2,7 @@
 #include "unfold/requested_splits.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -16,9 +17,8 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/tree.hpp"
 #include "unfold/pieces/closing.hpp"
-#include "unfold/pieces/overlap_split.hpp"
-#include "unfold/pieces/page_split.hpp"
 #include "unfold/pieces/tab_split.hpp"
+#include "unfold/search/forest.hpp"
 #include "unfold/search/free_folding.hpp"
 #include "unfold/tabs/place/place_tabs.hpp"
 #include "unfold/tabs_of_nets.hpp"
@@ -73,16 +73,31 @@ class Splitting {
       if (fits_now && !fits(changed)) {
         return std::nullopt;
       }
-      return cost_of(part, changed).cut_mm;
+      double cut_mm = 0.0;
+      for (std::uint32_t side = 0; side < changed.size(); ++side) {
+        cut_mm += part.twin[side] != no_index && changed[side] == 0 ? 0.5 * part.length[side] : 0.0;
+      }
+      return cut_mm;
     };
     const FreeFoldingRules rules{problem_.tolerance(), cut_mm, std::numeric_limits<double>::infinity()};
     return fold_freely(part, tree, rules, random_.next(), context_).value_or(tree);
   }
 
+  /// The fold that parts the most pairs of faces that meet on the way; nothing where none parts any.
   [[nodiscard]] std::uint32_t cut_of(const Patch& part, const Folds& tree) const {
     FoldingMeetings meetings(part);
     meetings.count(tree);
-    return best_parting_fold(part, tree, meetings.pairs());
+    Forest forest(part);
+    forest.set_folds(tree);
+    std::vector<std::uint32_t> parts(tree.size(), 0);  // per side of a fold: pairs that it would part
+    std::uint32_t best = no_index;
+    for (const auto& [f, g] : meetings.pairs()) {
+      for (const std::uint32_t fold : forest.folds_between(f, g)) {
+        const std::uint32_t hits = ++parts[fold];
+        best = best == no_index || hits > parts[best] ? fold : best;
+      }
+    }
+    return best;
   }
 
   const Patch& piece_;

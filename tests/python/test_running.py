@@ -86,11 +86,15 @@ def test_a_hundred_calls_leave_nothing_behind(name, tetrahedron):
     mesh = read_obj("whale.obj") if name in ("segment", "hulls") else tetrahedron
     for _ in range(20):
         CALLS[name](mesh)
-    before = kilobytes()
-    for _ in range(100):
-        CALLS[name](mesh)
+    grown = []
+    for _ in range(3):
+        before = kilobytes()
+        for _ in range(100):
+            CALLS[name](mesh)
+        grown.append(kilobytes() - before)
+    # What is left behind comes with each hundred calls, what the allocator keeps only once.
     # The arrays that one call gives are some 100 kB.
-    assert kilobytes() - before < 1024
+    assert min(grown) < 1024
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -16,7 +16,6 @@
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/patch/tree.hpp"
-#include "unfold/pieces/page_split.hpp"
 #include "unfold/search/net_search.hpp"
 
 using namespace ridgecraft;
@@ -87,7 +86,7 @@ TEST_CASE("the least number of nets is what trying all sets of folds gives", "[p
     INFO("patch " << i << " of " << patch.size() << " faces");
     REQUIRE(found.finished);
     CHECK(found.at_least == least);
-    CHECK(cost_of(patch, found.folds).pieces == least);
+    CHECK(lay_out(patch, found.folds).faces.size() == least);
     CHECK(find_overlaps(lay_out(patch, found.folds), tolerance).empty());
     several += least > 1 ? 1 : 0;
   }
@@ -134,7 +133,7 @@ TEST_CASE("the bipyramid over a star has no net", "[proof]") {
   const Patch other = test::whole_patch(high, test::no_panels(high));
   const LeastForest one = least_forest(other, {tolerance, 1, 10'000'000}, {});
   CHECK(one.at_least == 1);
-  CHECK(cost_of(other, one.folds).pieces == 1);
+  CHECK(lay_out(other, one.folds).faces.size() == 1);
 }
 
 TEST_CASE("panels stay whole in a proof", "[proof]") {
@@ -145,7 +144,7 @@ TEST_CASE("panels stay whole in a proof", "[proof]") {
   REQUIRE(found.finished);
   // The hole of a ring has room for one of the four inner walls.
   CHECK(found.at_least == 2);
-  CHECK(cost_of(patch, found.folds).pieces == 2);
+  CHECK(lay_out(patch, found.folds).faces.size() == 2);
   CHECK(find_overlaps(lay_out(patch, found.folds), tolerance).empty());
   const Patch loose = test::whole_patch(frame, test::no_panels(frame));
   CHECK(least_forest(loose, {tolerance, 4, 10'000'000}, {}).at_least == 1);

@@ -16,7 +16,6 @@
 #include "unfold/panel_parts.hpp"
 #include "unfold/patch/layout.hpp"
 #include "unfold/patch/patch.hpp"
-#include "unfold/pieces/page_split.hpp"
 #include "unfold/search/net_search.hpp"
 #include "unfold/unfold.hpp"
 

@@ -36,23 +36,40 @@ RootedTree rooted_tree(const Patch& patch, const Folds& folds, std::uint32_t roo
   return tree;
 }
 
-Folds start_tree(const Patch& patch, Random& random) {
+Folds frozen_folds(const Patch& patch) {
   Folds folds(patch.twin.size(), 0);
   DisjointSets sets(patch.size());
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (patch.twin[side] != no_index && patch.frozen[side] != 0 &&
+        sets.join(side / 3, patch.twin[side] / 3)) {
+      set_fold(patch, folds, side, true);
+    }
+  }
+  return folds;
+}
+
+std::vector<std::uint32_t> longest_first(const Patch& patch, Random& random) {
   std::vector<std::uint32_t> sides;
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    const std::uint32_t twin = patch.twin[side];
-    if (twin != no_index && patch.frozen[side] != 0 && sets.join(side / 3, twin / 3)) {
-      set_fold(patch, folds, side, true);
-    } else if (twin != no_index && side < twin && patch.frozen[side] == 0) {
+    if (patch.twin[side] != no_index && side < patch.twin[side] && patch.frozen[side] == 0) {
       sides.push_back(side);
     }
   }
-  // Kruskal's tree; ties in random order.
   shuffle(sides, random);
   std::stable_sort(sides.begin(), sides.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return patch.length[a] > patch.length[b]; });
-  for (const std::uint32_t side : sides) {
+  return sides;
+}
+
+Folds start_tree(const Patch& patch, Random& random) {
+  Folds folds = frozen_folds(patch);
+  DisjointSets sets(patch.size());
+  for (std::uint32_t side = 0; side < folds.size(); ++side) {
+    if (folds[side] != 0) {
+      static_cast<void>(sets.join(side / 3, patch.twin[side] / 3));
+    }
+  }
+  for (const std::uint32_t side : longest_first(patch, random)) {
     if (sets.join(side / 3, patch.twin[side] / 3)) {
       set_fold(patch, folds, side, true);
     }

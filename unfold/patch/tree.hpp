@@ -35,8 +35,14 @@ inline void set_fold(const Patch& patch, Folds& folds, std::uint32_t side, bool 
 
 // Spanning trees to begin with.
 
+/// As many frozen sides as trees can hold.
+[[nodiscard]] Folds frozen_folds(const Patch& patch);
+
+/// One side of each edge that isn't frozen, the longest first, those of one length in random order.
+[[nodiscard]] std::vector<std::uint32_t> longest_first(const Patch& patch, Random& random);
+
 /// The spanning tree of a connected patch with the longest folds, so the shortest cuts, that holds as many
-/// frozen sides as a tree can. O(n log n).
+/// frozen sides as a tree can (J. Kruskal 1956). O(n log n).
 [[nodiscard]] Folds start_tree(const Patch& patch, Random& random);
 
 /// Fisher and Yates; std::shuffle differs between libraries.
