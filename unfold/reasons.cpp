@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,8 +19,6 @@
 namespace ridgecraft::unfold {
 namespace {
 
-/// Cuts to one neighbour that are looked at, the longest first: the others seldom tell anything else.
-constexpr std::size_t most_cuts = 6;
 /// What a proof may take: flat regions of a block, pairs of faces.
 constexpr std::size_t most_proven_panels = 30;
 constexpr std::uint64_t proof_pairs = 500'000;
@@ -46,19 +45,16 @@ class Pieces {
   /// What stops a piece from being one with a neighbour.
   [[nodiscard]] PieceReason reason_of(const Piece& piece, const Context& context) const {
     std::map<PieceReason, double> along;  // mm of cuts, by what stops a join there
-    for (const auto& [neighbour, cuts] : cuts_of(piece)) {
-      for (std::size_t i = 0; i < std::min(cuts.size(), most_cuts); ++i) {
-        context.check();
-        along[obstacle(cuts[i], context)] += patch_.length[cuts[i]];
+    for (const std::uint32_t cut : cuts_of(piece)) {
+      context.check();
+      const std::optional<PieceReason> reason = obstacle(cut, context);
+      if (!reason) {
+        return reason_of_choice(context);
       }
+      along[*reason] += patch_.length[cut];
     }
     if (along.empty()) {
       return reason_apart(piece);
-    }
-    for (const PieceReason chosen : {PieceReason::shape, PieceReason::tabs, PieceReason::time}) {
-      if (along.contains(chosen)) {
-        return chosen;
-      }
     }
     return std::max_element(along.begin(), along.end(),
                             [](const auto& a, const auto& b) { return a.second < b.second; })
@@ -84,30 +80,32 @@ class Pieces {
     return !constraints.empty() && constraints[problem_.surface.edge(side)] == EdgeConstraint::cut;
   }
 
-  /// Its cuts to each neighbour, the longest first.
-  [[nodiscard]] std::map<PieceId, std::vector<std::uint32_t>> cuts_of(const Piece& piece) const {
-    std::map<PieceId, std::vector<std::uint32_t>> cuts;
+  /// Its cuts to other pieces.
+  [[nodiscard]] std::vector<std::uint32_t> cuts_of(const Piece& piece) const {
+    std::vector<std::uint32_t> cuts;
     for (const FaceId f : piece.faces) {
       for (std::uint32_t side = 3 * f.value(); side < 3 * f.value() + 3; ++side) {
         const std::uint32_t twin = patch_.twin[side];
         if (twin != no_index && nets_.piece[FaceId(twin / 3)] != nets_.piece[f]) {
-          cuts[nets_.piece[FaceId(twin / 3)]].push_back(side);
+          cuts.push_back(side);
         }
       }
-    }
-    for (auto& [neighbour, sides] : cuts) {
-      std::stable_sort(sides.begin(), sides.end(),
-                       [&](std::uint32_t a, std::uint32_t b) { return patch_.length[a] > patch_.length[b]; });
     }
     return cuts;
   }
 
-  /// What stops the two pieces at a cut from being one that is folded there.
-  [[nodiscard]] PieceReason obstacle(std::uint32_t cut, const Context& context) const {
+  /// Why two pieces are that nothing stops from being one.
+  [[nodiscard]] PieceReason reason_of_choice(const Context& context) const {
+    return context.out_of_time()                  ? PieceReason::time
+           : problem_.options.tabs.on_all_edges() ? PieceReason::tabs
+                                                  : PieceReason::shape;
+  }
+
+  /// What stops the two pieces at a cut from being one that is folded there, if anything.
+  [[nodiscard]] std::optional<PieceReason> obstacle(std::uint32_t cut, const Context& context) const {
     const std::uint32_t twin = patch_.twin[cut];
     const std::uint32_t stays = layout_.piece[cut / 3];
     const std::uint32_t moves = layout_.piece[twin / 3];
-    const Options& options = problem_.options;
     if (is_cut_on_request(mesh::corner(FaceId(cut / 3), cut % 3))) {
       return PieceReason::request;
     }
@@ -126,12 +124,10 @@ class Pieces {
     if (!problem_.room.holds(convex_hull(std::move(corners)), panels)) {
       return PieceReason::page;
     }
-    if (options.pieces.fold_linear && !fold_together(cut, context)) {
+    if (problem_.options.pieces.fold_linear && !fold_together(cut, context)) {
       return PieceReason::folding;
     }
-    return context.out_of_time()         ? PieceReason::time
-           : options.tabs.on_all_edges() ? PieceReason::tabs
-                                         : PieceReason::shape;
+    return std::nullopt;
   }
 
   [[nodiscard]] std::vector<Triangle> laid_together(std::uint32_t cut) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that are split because somebody asks for it: until every edge that is wide enough has a tab, and
-// until each piece folds with all its creases at once.
+// Pieces that are split because somebody asks for it, so that every edge that is wide enough has a tab and
+// each piece folds with all its creases at once; and what is said of them.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,8 @@
 
 namespace ridgecraft::unfold {
 
-/// Splits pieces of a clean forest until each folds up with all creases together (folding/fold_order.hpp):
-/// each first gets a tree that does, whatever that costs in tabs; where none is found the fold goes that lies
-/// between the most pairs of faces that meet on the way. Pieces that fit the room still do. At the deadline
-/// nothing is searched any more, but pieces are split all the same. Deterministic for one seed but for the
-/// deadline. Throws Error(interrupted).
-[[nodiscard]] Folds split_to_fold_together(const NetProblem& problem, const Folds& folds,
-                                           const Context& context);
-
-/// What that came to, of finished nets, as notes of theirs: how many pieces were split off, and how many
-/// don't fold so all the same.
+/// What PieceRules::fold_linear came to, of finished nets, as notes of theirs: how many pieces were split
+/// off, and how many don't fold so all the same.
 void note_linear_folding(std::size_t split_pieces, Nets& nets);
 
 /// Splits pieces of these folds as pieces/tab_split.hpp does, until every edge that is wide enough has a

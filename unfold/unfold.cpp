@@ -134,9 +134,6 @@ class Unfolding {
       folds_ = give_all_tabs(asked_, problem_, plan_.possible_constraints, folds_, context_);
       in_time_for_tabs_ = !context_.out_of_time();
     }
-    if (asked_.options.pieces.fold_linear) {
-      folds_ = split_to_fold_together(problem_, folds_, context_);
-    }
   }
 
   /// All nets, with everything that belongs on a piece.

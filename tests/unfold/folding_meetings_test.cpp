@@ -224,9 +224,11 @@ TEST_CASE("meetings are counted as if each tree were folded afresh", "[unfold]")
       if (!swap) {
         continue;
       }
-      const std::size_t after = meetings.after(moved_by(net, *swap), swap->closed, 100000);
+      const std::size_t after =
+          meetings.after({moved_by(net, *swap), net.faces_of(net.tree_of(0)), swap->closed}, 100000);
       for (const std::size_t limit : {std::size_t{1}, after, after + 1}) {
-        CHECK(meetings.after(moved_by(net, *swap), swap->closed, limit) == std::min(limit, after));
+        CHECK(meetings.after({moved_by(net, *swap), net.faces_of(net.tree_of(0)), swap->closed}, limit) ==
+              std::min(limit, after));
       }
       if (random.below(3) > 0) {
         meetings.keep(net.folds());
@@ -246,7 +248,8 @@ TEST_CASE("meetings stay as they are counted afresh over thousands of swaps", "[
   for (int step = 0; step < 4000; ++step) {
     const auto swap = draw_swap(net, random);
     if (swap) {
-      static_cast<void>(meetings.after(moved_by(net, *swap), swap->closed, 1'000'000));
+      static_cast<void>(
+          meetings.after({moved_by(net, *swap), net.faces_of(net.tree_of(0)), swap->closed}, 1'000'000));
       meetings.keep(net.folds());
       net.make(*swap);
     }

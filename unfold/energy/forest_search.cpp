@@ -211,9 +211,9 @@ class Search {
     split_what_is_wrong();
   }
 
-  /// What still overlaps or doesn't fit comes apart where that costs least.
+  /// What still overlaps, meets or doesn't fit comes apart where that costs least.
   void split_what_is_wrong() {
-    while (!rules_.folds_together) {
+    for (;;) {
       const std::vector<std::uint32_t> folds = folds_of_a_fault();
       Move best;
       double least = std::numeric_limits<double>::infinity();
@@ -231,6 +231,10 @@ class Search {
         break;
       }
       static_cast<void>(energy_.rate(best, std::numeric_limits<double>::infinity()));
+      if (meetings_) {
+        static_cast<void>(meetings_after(best, std::numeric_limits<std::size_t>::max()));
+        meetings_->keep(forest_.folds());
+      }
       overlaps_.make(best);
       forest_.make(best);
       energy_.keep();
@@ -238,11 +242,16 @@ class Search {
     remember(energy_.total());
   }
 
-  /// Folds of which one has to go: between two faces that overlap, else of a piece that doesn't fit.
+  /// Folds of which one has to go: between two faces that overlap or meet, else of a piece that doesn't fit.
   std::vector<std::uint32_t> folds_of_a_fault() {
     if (overlaps_.total() > 0) {
       const std::uint32_t f = overlaps_.bad_faces().front();
       return forest_.folds_between(f, overlaps_.met_by(f).front());
+    }
+    for (const auto& [f, g] : meetings_ ? meetings_->pairs() : FacePairs()) {
+      if (const std::vector<std::uint32_t>& way = forest_.folds_between(f, g); !way.empty()) {
+        return way;
+      }
     }
     std::vector<std::uint32_t> folds;
     const std::optional<std::uint32_t> tree = energy_.one_that_does_not_fit();
@@ -285,7 +294,7 @@ class Search {
   /// Tries moves at one cut, or a split, until one is made.
   bool make_step() {
     ++trials_;
-    if (!rules_.folds_together && random_.unit() < split_share) {
+    if (random_.unit() < split_share) {
       const std::optional<Move> split = draw_split();
       return split && propose(*split);
     }
@@ -432,7 +441,9 @@ class Search {
     for (std::uint32_t i = 0; i < what.faces.count; ++i) {
       moved_.push_back(forest_.face_in(what.faces, i));
     }
-    return meetings_->after(moved_, move.closed, limit);
+    const std::span<const std::uint32_t> to =
+        move.splits() ? std::span<const std::uint32_t>() : forest_.faces_of(what.to);
+    return meetings_->after({moved_, to, move.closed}, limit);
   }
 
   std::optional<double> make_exactly(const Move& move, double most) {

@@ -41,7 +41,7 @@ struct SearchRules {
   double first_heat = 20.0;
   /// Price of an overlap at the beginning, mm: how freely pieces are joined whose net is repaired later.
   double first_overlap_price = 20.0;
-  /// Whether the forest is one tree that stays one and must fold up with all creases together. Its moves are
+  /// Whether each tree must fold up with all creases together; the forest is one tree at first. Moves are
   /// made without their images: looking at how all of these fold takes eight times as long for nothing.
   bool folds_together = false;
 };

@@ -73,22 +73,22 @@ void FoldingMeetings::find_plates() {
   }
 }
 
-void FoldingMeetings::count(const Folds& tree) {
+void FoldingMeetings::count(const Folds& folds) {
   if (!knows_always_) {
-    find_always(tree);
+    find_always(folds);
   }
-  place_all(tree);
+  place_all(folds);
   pairs_.clear();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> hinged;
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
-    if (tree[side] != 0) {
+    if (folds[side] != 0) {
       hinged.emplace_back(plate_[side / 3], plate_[patch_.twin[side] / 3]);
     }
   }
   std::sort(hinged.begin(), hinged.end());
   for (std::uint32_t f = 0; f < patch_.size(); ++f) {
     for (std::uint32_t g = f + 1; g < patch_.size(); ++g) {
-      const std::uint64_t looks = near(f, centres_[f], g);
+      const std::uint64_t looks = root_[f] == root_[g] ? near(f, centres_[f], g) : 0;
       if (looks != 0 && plate_[f] != plate_[g] && !always(f, g) &&
           !std::binary_search(hinged.begin(), hinged.end(), std::pair(plate_[f], plate_[g])) &&
           meets(f, nullptr, g, looks)) {
@@ -105,18 +105,28 @@ void FoldingMeetings::find_always(const Folds& tree) {
   knows_always_ = true;
 }
 
-void FoldingMeetings::place_all(const Folds& tree) {
-  std::vector<std::uint8_t> placed(patch_.size(), 0);
-  std::vector<std::uint32_t> open{0};
-  frame_[0] = {};
-  placed[0] = 1;
+void FoldingMeetings::place_all(const Folds& folds) {
+  root_.assign(patch_.size(), no_index);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t root = 0; root < patch_.size(); ++root) {
+    if (root_[root] == no_index) {
+      root_[root] = root;
+      frame_[root] = {};
+      open.push_back(root);
+    }
+    place_tree(folds, open);
+  }
+}
+
+/// Places what hangs on the given faces, and forgets them.
+void FoldingMeetings::place_tree(const Folds& folds, std::vector<std::uint32_t>& open) {
   for (std::size_t i = 0; i < open.size(); ++i) {
     const std::uint32_t f = open[i];
     settle(f);
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      const std::uint32_t g = tree[side] != 0 ? patch_.twin[side] / 3 : f;
-      if (placed[g] == 0) {
-        placed[g] = 1;
+      const std::uint32_t g = folds[side] != 0 ? patch_.twin[side] / 3 : f;
+      if (root_[g] == no_index) {
+        root_[g] = root_[f];
         for (std::size_t t = 0; t < samples; ++t) {
           frame_[g][t] = frame_[f][t] * hinge_[side][t];
         }
@@ -124,6 +134,7 @@ void FoldingMeetings::place_all(const Folds& tree) {
       }
     }
   }
+  open.clear();
 }
 
 /// What follows from the frame of a face.
@@ -185,7 +196,7 @@ bool FoldingMeetings::meets(std::uint32_t f, const Samples<Motion>* motion, std:
   return false;
 }
 
-/// How what a swap moves moves, in every sample.
+/// How what a move carries moves, in every sample.
 FoldingMeetings::Samples<Motion> FoldingMeetings::motions(std::uint32_t side) {
   new_fold_ = moves_[side / 3] != 0 ? patch_.twin[side] : side;
   const std::uint32_t inside = patch_.twin[new_fold_];
@@ -196,12 +207,16 @@ FoldingMeetings::Samples<Motion> FoldingMeetings::motions(std::uint32_t side) {
   return motion;
 }
 
-/// The pairs that a swap makes meet, no more than `limit`.
-void FoldingMeetings::find_made(std::uint32_t side, std::size_t limit) {
+/// The pairs that a move makes meet, no more than `limit`.
+void FoldingMeetings::find_made(const Carry& carry, std::size_t limit) {
   made_.clear();
-  motion_ = motions(side);
-  const std::uint32_t hinged_f = plate_[side / 3];
-  const std::uint32_t hinged_g = plate_[patch_.twin[side] / 3];
+  new_fold_ = no_index;
+  if (carry.side == no_index) {
+    return;
+  }
+  motion_ = motions(carry.side);
+  const std::uint32_t hinged_f = plate_[carry.side / 3];
+  const std::uint32_t hinged_g = plate_[patch_.twin[carry.side] / 3];
   const auto hinged = [&](std::uint32_t f, std::uint32_t g) {
     return (plate_[f] == hinged_f && plate_[g] == hinged_g) ||
            (plate_[f] == hinged_g && plate_[g] == hinged_f);
@@ -216,7 +231,7 @@ void FoldingMeetings::find_made(std::uint32_t side, std::size_t limit) {
       centres.y[t] = static_cast<float>(centre.y);
       centres.z[t] = static_cast<float>(centre.z);
     }
-    for (std::uint32_t g = 0; g < patch_.size(); ++g) {
+    for (const std::uint32_t g : carry.to) {
       const std::uint64_t looks = moves_[g] != 0 ? 0 : near(f, centres, g);
       if (looks != 0 && !hinged(f, g) && !always(f, g) && meets(f, &motion_, g, looks)) {
         made_.push_back(std::minmax(f, g));
@@ -228,12 +243,11 @@ void FoldingMeetings::find_made(std::uint32_t side, std::size_t limit) {
   }
 }
 
-std::size_t FoldingMeetings::after(std::span<const std::uint32_t> moved, std::uint32_t side,
-                                   std::size_t limit) {
+std::size_t FoldingMeetings::after(const Carry& carry, std::size_t limit) {
   for (const std::uint32_t f : moved_) {
     moves_[f] = 0;
   }
-  moved_.assign(moved.begin(), moved.end());
+  moved_.assign(carry.moved.begin(), carry.moved.end());
   for (const std::uint32_t f : moved_) {
     moves_[f] = 1;
   }
@@ -243,24 +257,27 @@ std::size_t FoldingMeetings::after(std::span<const std::uint32_t> moved, std::ui
   if (kept >= limit) {
     return limit;
   }
-  find_made(side, limit - kept);
+  find_made(carry, limit - kept);
   return kept + made_.size();
 }
 
-void FoldingMeetings::keep(const Folds& tree) {
+void FoldingMeetings::keep(const Folds& folds) {
   pairs_.erase(
       std::remove_if(pairs_.begin(), pairs_.end(), [&](const auto& pair) { return is_across(pair); }),
       pairs_.end());
   pairs_.insert(pairs_.end(), made_.begin(), made_.end());
-  // From face to face along the folds within what moved, which the swap leaves as they are. Moving each frame
-  // by motion_ would double its error with every swap.
+  if (new_fold_ == no_index) {
+    return;
+  }
+  // From face to face along the folds within what moved, which the move leaves as they are. Moving each frame
+  // by motion_ would double its error with every move.
   place_beyond(new_fold_);
   for (std::size_t i = 0; i < open_.size(); ++i) {
     const std::uint32_t above = open_[i];
     const std::uint32_t f = patch_.twin[above] / 3;
     settle(f);
     for (std::uint32_t side = 3 * f; side < 3 * f + 3; ++side) {
-      if (side != patch_.twin[above] && tree[side] != 0 && moves_[patch_.twin[side] / 3] != 0) {
+      if (side != patch_.twin[above] && folds[side] != 0 && moves_[patch_.twin[side] / 3] != 0) {
         place_beyond(side);
       }
     }

@@ -26,7 +26,7 @@ constexpr double worth_of_free_folding_mm = 100.0;
 constexpr double trials_again = 0.16;
 constexpr double first_heat = 8.0;
 
-/// A tree of one piece that folds up with all creases together, where one is worth it; else the one it has.
+/// Folds of one piece that fold up with all creases together, where that is worth it; else those it has.
 Folds improved(const NetProblem& problem, const Folds& folds, std::span<const EdgeImages> images_of_edges,
                const std::vector<std::uint32_t>& faces, const Context& context) {
   Random random(context.seed);
@@ -41,20 +41,22 @@ Folds improved(const NetProblem& problem, const Folds& folds, std::span<const Ed
   const auto cost = [&](const Folds& tree) { return exact_cost(own, tree); };
   const double infinite = std::numeric_limits<double>::infinity();
   const double tolerance = net_tolerance(piece.extent);
+  const bool at_any_price = problem.options.pieces.fold_linear;
   const std::optional<Folds> free =
       fold_freely(piece, given, {tolerance, cost, infinite}, random.next(), context);
-  if (!free) {
+  if (!free && !at_any_price) {
     return given;
   }
+  const Folds& start = free ? *free : given;
   SearchRules rules = rules_for(trials_again * problem.options.pieces.trials_per_face, piece.size());
   rules.first_heat = first_heat;
   rules.folds_together = true;
-  Folds tree = search_forest(own, *free, rules, random.next(), context);
-  if (!folds_together(piece, tree, context)) {
-    tree = *free;
+  Folds better = search_forest(own, start, rules, random.next(), context);
+  if (!folds_together(piece, better, context)) {
+    better = start;
   }
-  const double worth = problem.options.pieces.fold_linear ? infinite : worth_of_free_folding_mm;
-  return cost(tree).value_or(infinite) <= cost(given).value_or(infinite) + worth ? tree : given;
+  const double worth = at_any_price ? infinite : worth_of_free_folding_mm;
+  return cost(better).value_or(infinite) <= cost(given).value_or(infinite) + worth ? better : given;
 }
 
 /// An earlier piece that is a piece's image, faces and folds.

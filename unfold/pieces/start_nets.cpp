@@ -2,7 +2,6 @@
 #include "unfold/pieces/start_nets.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -115,14 +114,13 @@ class GrowingForest {
 Folds start_nets(const Patch& patch, const Room& room, const StartRules& rules, std::uint64_t seed,
                  const Context& context) {
   Random random(seed);
-  Folds held = frozen_folds(patch);
+  // A net may have been found only where panels come apart.
+  const Folds net = rules.one_net ? searched_tree(patch, rules, random, context) : frozen_folds(patch);
+  Folds held = net;
+  std::transform(held.begin(), held.end(), patch.frozen.begin(), held.begin(),
+                 [](std::uint8_t fold, std::uint8_t frozen) { return frozen != 0 ? fold : std::uint8_t{0}; });
   std::vector<std::uint32_t> sides = longest_first(patch, random);
-  if (rules.one_net) {
-    const Folds net = searched_tree(patch, rules, random, context);
-    std::stable_partition(sides.begin(), sides.end(), [&](std::uint32_t side) { return net[side] != 0; });
-    // A net may have been found only where panels come apart.
-    std::transform(held.begin(), held.end(), net.begin(), held.begin(), std::bit_and<>());
-  }
+  std::stable_partition(sides.begin(), sides.end(), [&](std::uint32_t side) { return net[side] != 0; });
   GrowingForest forest(patch, held, room, rules.tolerance);
   for (const std::uint32_t side : sides) {
     context.check();

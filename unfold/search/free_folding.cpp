@@ -70,9 +70,13 @@ std::vector<Folds> trees_that_fold(const Patch& piece, const Folds& given, doubl
 
 }  // namespace
 
-bool folds_together(const Patch& piece, const Folds& tree, const Context& context) {
-  const FoldMotion motion(flat_piece(piece, tree));
-  return FoldTrial(motion, context).together_works();
+bool folds_together(const Patch& patch, const Folds& folds, const Context& context) {
+  std::vector<std::vector<std::uint32_t>> pieces = lay_out(patch, folds).faces;
+  return std::all_of(pieces.begin(), pieces.end(), [&](std::vector<std::uint32_t>& faces) {
+    std::sort(faces.begin(), faces.end());
+    const FoldMotion motion(flat_piece(sub_patch(patch, faces), sub_folds(patch, folds, faces)));
+    return FoldTrial(motion, context).together_works();
+  });
 }
 
 std::optional<Folds> fold_freely(const Patch& piece, const Folds& given, const FreeFoldingRules& rules,

@@ -11,8 +11,8 @@
 
 namespace ridgecraft::unfold {
 
-/// Whether the net of this tree folds up with all creases together without running through itself.
-[[nodiscard]] bool folds_together(const Patch& piece, const Folds& tree, const Context& context);
+/// Whether each net of these folds folds up with all creases together without running through itself.
+[[nodiscard]] bool folds_together(const Patch& patch, const Folds& folds, const Context& context);
 
 /// What a tree must be to take the place of one that doesn't fold together.
 struct FreeFoldingRules {

@@ -132,7 +132,7 @@ bool NetWalk::keeps_folding(const Move& move, std::int64_t limit) {
     moved_.push_back(forest_.face_in(half, i));
   }
   const auto most = static_cast<std::size_t>(limit);
-  return meetings_->after(moved_, move.closed, most) < most;
+  return meetings_->after({moved_, forest_.faces_of(half.tree), move.closed}, most) < most;
 }
 
 bool NetWalk::may_close(std::uint32_t side) const {
