@@ -115,7 +115,6 @@ unfold::Options unfold_options(const Options& options, const prepare::Prepared& 
   unfolding.pieces = options.pieces;
   unfolding.constraints = std::move(constraints);
   unfolding.labels = author_labels(prepared.model);
-  unfolding.rolls = prepared.rolls.of_edge;
   unfolding.twins = prepared.twins;
   return unfolding;
 }

@@ -54,8 +54,7 @@ double minutes_of(const Work& work) {
          minutes_per_short_edge * work.short_edges + minutes_per_weak_join * work.weak_joins;
 }
 
-Work expected_work(const mesh::Surface& surface, const Panels& panels, const Rolls& rolls,
-                   double hidden_fold_angle, double mm) {
+Work expected_work(const mesh::Surface& surface, const Panels& panels, double hidden_fold_angle, double mm) {
   double edges = 0.0;
   double length_mm = 0.0;
   Work work;
@@ -66,7 +65,7 @@ Work expected_work(const mesh::Surface& surface, const Panels& panels, const Rol
       continue;
     }
     if (panels.panel[mesh::face_of(c)] == panels.panel[mesh::face_of(d)] ||
-        std::abs(surface.fold_angle(e)) < hidden_fold_angle || rolls.bends(e)) {
+        std::abs(surface.fold_angle(e)) < hidden_fold_angle) {
       static_cast<void>(plates.join(mesh::face_of(c).value(), mesh::face_of(d).value()));
       continue;
     }

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -172,58 +170,24 @@ KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels
 
 namespace {
 
-/// A wall that stays a strip: its rungs, which may be several edges each.
-struct Wall {
-  std::vector<EdgeId> rungs;
-  bool closed = false;
-};
-
-PanelId panel_of(const prepare::Panels& panels, CornerId side) {
-  return panels.panel[mesh::face_of(side)];
-}
-
-/// The bands that are rolled, in the order of their numbers.
-std::vector<Wall> rolled_walls(const UnfoldProblem& problem) {
-  std::map<RollId, Wall> walls;
-  for (const EdgeId e : ids<EdgeId>(problem.options.rolls.size())) {
-    if (problem.options.rolls[e].valid()) {
-      walls[problem.options.rolls[e]].rungs.push_back(e);
-    }
-  }
-  std::vector<Wall> result;
-  for (auto& [roll, wall] : walls) {
-    std::set<PanelId> regions;
-    for (const EdgeId e : wall.rungs) {
-      for (const CornerId side : problem.surface.sides(e)) {
-        regions.insert(panel_of(problem.panels, side));
-      }
-    }
-    wall.closed = regions.size() == wall.rungs.size();
-    result.push_back(std::move(wall));
-  }
-  return result;
-}
-
 /// The mean rung of a band that stays a strip, of what its regions have of a rim; divided by Weights::bands.
 constexpr double least_rung_to_rim = 1.1;
 
-/// The wide ones of those that go round.
-std::vector<Wall> wide_walls(const mesh::Surface& surface, const Patch& patch, double weight) {
-  const Bands bands = find_bands(patch);
-  std::vector<Wall> walls(bands.seam_mm.size());
+/// The rungs of each band as edges; none of bands with a border of labels across them.
+std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Patch& patch,
+                                          const Bands& bands) {
+  std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     if (bands.band[side] != no_index && side < patch.twin[side]) {
-      walls[bands.band[side]].rungs.push_back(edge_of(surface, patch, side));
+      edges[bands.band[side]].push_back(edge_of(surface, patch, side));
     }
   }
-  std::vector<Wall> wide;
-  for (std::size_t band = 0; band < walls.size(); ++band) {
-    if (weight * bands.mean_rung_mm[band] >= least_rung_to_rim * bands.mean_rim_mm[band]) {
-      walls[band].closed = bands.closed[band] != 0;
-      wide.push_back(std::move(walls[band]));
+  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+    if (bands.band[side] != no_index && is_border_of_labels(patch, side)) {
+      edges[bands.band[side]].clear();
     }
   }
-  return wide;
+  return edges;
 }
 
 class Seams {
@@ -274,44 +238,43 @@ EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& sy
   const mesh::Surface& surface = problem.surface;
   const prepare::Panels& panels = problem.panels;
   const EdgeConstraints& constraints = problem.options.constraints;
-  const PieceRules& pieces = problem.options.pieces;
-  std::vector<Wall> walls = rolled_walls(problem);
+  const Weights& weights = problem.options.pieces.weights;
+  if (weights.bands <= 0.0) {
+    return constraints;
+  }
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
   const Patch patch = make_patch(surface, panels, faces, constraints.items(), problem.options.labels.items());
-  if (pieces.mode != PieceMode::few && pieces.weights.bands > 0.0) {
-    for (Wall& wall : wide_walls(surface, patch, pieces.weights.bands)) {
-      walls.push_back(std::move(wall));
-    }
+  const Bands bands = find_bands(patch);
+  if (bands.empty()) {
+    return constraints;
   }
   // The edges of a rung lie between the same two flat regions.
   const auto beside = [&](EdgeId e) -> std::pair<PanelId, PanelId> {
     const auto [c, d] = surface.sides(e);
-    return std::minmax({panel_of(panels, c), panel_of(panels, d)});
+    const PanelId a = panels.panel[mesh::face_of(c)];
+    const PanelId b = panels.panel[mesh::face_of(d)];
+    return {std::min(a, b), std::max(a, b)};
   };
   Seams seams(surface, symmetry);
   EdgeConstraints result =
       constraints.empty() ? EdgeConstraints(surface.edge_count(), EdgeConstraint::none) : constraints;
-  IdVector<PanelId, std::uint8_t> taken(panels.count(), 0);
-  for (const Wall& wall : walls) {
-    const bool free = std::none_of(wall.rungs.begin(), wall.rungs.end(), [&](EdgeId e) {
-      const auto [one, other] = beside(e);
-      return result[e] != EdgeConstraint::none || taken[one] != 0 || taken[other] != 0 ||
-             is_border_of_labels(patch, surface.sides(e)[0].value());
-    });
-    if (!free) {
+  const std::vector<std::vector<EdgeId>> edges = edges_of(surface, patch, bands);
+  for (std::size_t band = 0; band < edges.size(); ++band) {
+    if (edges[band].empty() ||
+        weights.bands * bands.mean_rung_mm[band] < least_rung_to_rim * bands.mean_rim_mm[band] ||
+        std::any_of(edges[band].begin(), edges[band].end(),
+                    [&](EdgeId e) { return result[e] != EdgeConstraint::none; })) {
       continue;
     }
-    for (const EdgeId e : wall.rungs) {
-      const auto [one, other] = beside(e);
-      taken[one] = taken[other] = 1;
+    for (const EdgeId e : edges[band]) {
       result[e] = EdgeConstraint::band;
     }
-    if (wall.closed) {
-      const std::pair<PanelId, PanelId> seam = beside(seams.of(wall.rungs));
-      for (const EdgeId e : wall.rungs) {
+    if (bands.closed[band] != 0) {
+      const std::pair<PanelId, PanelId> seam = beside(seams.of(edges[band]));
+      for (const EdgeId e : edges[band]) {
         result[e] = beside(e) == seam ? EdgeConstraint::none : EdgeConstraint::band;
       }
     }
