@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/random.hpp"
 #include "unfold/copies.hpp"
 #include "unfold/folding/fold_order.hpp"
 #include "unfold/net/equal_pieces.hpp"
