@@ -37,6 +37,10 @@ Folds searched_tree(const Patch& patch, const StartRules& rules, Random& random,
   return std::move(net.folds);
 }
 
+/// When time is up only trees of so few faces are hung on others: looking at large ones takes longer than all
+/// else.
+constexpr std::uint32_t most_faces_late = 64;
+
 /// Trees that grow together as far as they lie flat and fit.
 class GrowingForest {
  public:
@@ -50,13 +54,17 @@ class GrowingForest {
     }
   }
 
-  /// Makes a fold of an edge where that joins two trees to one without overlap that fits.
-  void join_at(std::uint32_t side) {
+  /// Makes a fold of an edge where that joins two trees to one without overlap that fits, and the smaller one
+  /// has no more than so many faces.
+  void join_at(std::uint32_t side, std::uint32_t most_faces) {
     const Move move{no_index, side};
     if (forest_.tree_of(side / 3) == forest_.tree_of(forest_.patch().twin[side] / 3)) {
       return;
     }
     const Forest::Carried what = forest_.carried(move);
+    if (what.faces.count > most_faces) {
+      return;
+    }
     std::vector<Vec2> hull = size_[what.to].hull;
     for (const Vec2 p : size_[what.faces.tree].hull) {
       hull.push_back(what.motion(p));
@@ -124,7 +132,7 @@ Folds start_nets(const Patch& patch, const Room& room, const StartRules& rules, 
   GrowingForest forest(patch, held, room, rules.tolerance);
   for (const std::uint32_t side : sides) {
     context.check();
-    forest.join_at(side);
+    forest.join_at(side, context.out_of_time() ? most_faces_late : patch.size());
   }
   forest.part_overlaps(rules.tolerance);
   return forest.folds();
