@@ -39,7 +39,7 @@ Folds searched_tree(const Patch& patch, const StartRules& rules, Random& random,
 
 /// When time is up only trees of so few faces are hung on others: looking at large ones takes longer than all
 /// else.
-constexpr std::uint32_t most_faces_late = 64;
+constexpr std::uint32_t most_faces_late = 16;
 
 /// Trees that grow together as far as they lie flat and fit.
 class GrowingForest {
