@@ -5,13 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "base/elementary.hpp"
+#include "base/rays.hpp"
 #include "solid/cover.hpp"
 #include "solid/hulls.hpp"
 #include "solid/rays.hpp"
@@ -27,16 +26,10 @@ constexpr std::size_t nearest_bodies = 12;
 /// A body's volume with another is that of its farthest points in so many directions.
 constexpr std::size_t directions = 64;
 
-/// Directions all around, evenly: a spiral (Vogel, "A better way to construct the sunflower head",
-/// Mathematical Biosciences 44, 1979, on the sphere).
 std::array<Vec3, directions> all_around() {
   std::array<Vec3, directions> result;
-  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (std::size_t i = 0; i < directions; ++i) {
-    const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(directions);
-    const double radius = std::sqrt(1.0 - z * z);
-    const double turn = golden_angle * static_cast<double>(i);
-    result[i] = {radius * elementary::cos(turn), radius * elementary::sin(turn), z};
+    result[i] = even_direction(static_cast<int>(i), static_cast<int>(directions));
   }
   return result;
 }

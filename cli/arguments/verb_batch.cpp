@@ -52,7 +52,7 @@ void check_words(const BatchJob& job) {
   }
   words.insert(words.end(), job.words.begin(), job.words.end());
   for (const std::string& word : job.words) {
-    if (word == "-o" || word.starts_with("--output") || word == "--labels" ||
+    if (word.starts_with("-o") || word.starts_with("--output") || word.starts_with("--labels") ||
         word.starts_with("--time-limit")) {
       refuse("behind -- go options of " + job.verb + " for all models, not " + word);
     }

@@ -128,13 +128,14 @@ class LostEdges {
     if (normal == Vec3{}) {
       return found;
     }
-    relief_.near_box(grown(surface_.bounds(f), reach_), [&](const mesh::Crease& crease) {
+    relief_.near_box(grown(surface_.bounds(f), reach_), [&](std::uint32_t i) {
+      const mesh::Crease& crease = relief_.creases()[i];
       if (std::max(dot(crease.normals[0], normal), dot(crease.normals[1], normal)) < same_side) {
         return;
       }
       if (const auto over = over_face(crease.ends, f)) {
         for (const Stroke& stroke : lost_of(*over, f)) {
-          found.push_back({f, stroke, static_cast<std::size_t>(&crease - relief_.creases().data())});
+          found.push_back({f, stroke, i});
         }
       }
     });

@@ -40,11 +40,11 @@ class Relief {
   explicit Relief(ReliefParts parts, double factor = 1.0, Vec3 shift = {});
 
   [[nodiscard]] const std::vector<Crease>& creases() const { return parts_.creases; }
-  /// Calls visit(crease) for creases whose boxes meet this one.
+  /// Calls visit(i) for creases()[i] whose boxes meet this one.
   template <class Visit>
   void near_box(const Box3& box, Visit visit) const {
     crease_tree_.search([&](std::uint32_t node) { return meet(crease_tree_.box(node), box); },
-                        [&](std::uint32_t place) { visit(parts_.creases[crease_tree_.order()[place]]); });
+                        [&](std::uint32_t place) { visit(crease_tree_.order()[place]); });
   }
   /// Whether a face lies on the way from a point to from + way, seen from either side. O(log n) where faces
   /// lie sensibly.

@@ -7,26 +7,11 @@
 
 #include "base/boxes.hpp"
 #include "base/random.hpp"
+#include "base/rays.hpp"
 #include "prepare/skin/contacts.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
-
-/// Does a segment come near a box? Never no where it does.
-bool comes_near(Vec3 from, Vec3 way, const Box3& box, double margin) {
-  double enters = 0.0;
-  double leaves = 1.0;
-  const auto clip = [&](double start, double step, double low, double high) {
-    const double a = (low - margin - start) / step;
-    const double b = (high + margin - start) / step;
-    enters = std::max(enters, std::min(a, b));
-    leaves = std::min(leaves, std::max(a, b));
-  };
-  clip(from.x, way.x, box.low.x, box.high.x);
-  clip(from.y, way.y, box.low.y, box.high.y);
-  clip(from.z, way.z, box.low.z, box.high.z);
-  return enters <= leaves + 1e-9;
-}
 
 class Rays {
   /// From a facet, and what it has met.
@@ -75,7 +60,7 @@ class Rays {
     bool sure = true;
     const Vec3 start{CGAL::to_double(from.x()), CGAL::to_double(from.y()), CGAL::to_double(from.z())};
     const double margin = 1e-9 * box_.diagonal();
-    tree_.search([&](std::uint32_t node) { return comes_near(start, way, tree_.box(node), margin); },
+    tree_.search([&](std::uint32_t node) { return comes_near(start, way, grown(tree_.box(node), margin)); },
                  [&](std::uint32_t place) {
                    if (sure) {
                      const std::uint32_t t = solids_[tree_.order()[place]];

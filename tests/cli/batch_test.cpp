@@ -208,7 +208,8 @@ TEST_CASE("Lists, single models and each verb are done, and what can't be is sai
            {{"batch", "hulls", "models"}, "-o"},
            {{"batch", "hulls", "models", "-o", "x", "--shard", "4/3"}, "--shard"},
            {{"batch", "hulls", "models", "-o", "x", "--", "--no-such-option"}, "--no-such-option"},
-           {{"batch", "hulls", "models", "-o", "x", "--", "-o", "y.obj"}, "behind --"}}) {
+           {{"batch", "hulls", "models", "-o", "x", "--", "-o", "y.obj"}, "behind --"},
+           {{"batch", "hulls", "models", "-o", "x", "--", "-oy.obj"}, "behind --"}}) {
     check_refusal(run_program(words, in(folder)), 2, said);
   }
   CHECK_FALSE(std::filesystem::exists(folder / "x"));

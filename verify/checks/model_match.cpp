@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/disjoint_sets.hpp"
-#include "base/elementary.hpp"
+#include "base/rays.hpp"
 #include "verify/checks/checks.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/geometry/geometry.hpp"
@@ -143,34 +143,14 @@ std::vector<Vec3> samples_of(const std::vector<Triangle3>& triangles, double spa
   return samples;
 }
 
-/// Whether a ray meets a triangle.
-bool meets(const Triangle3& t, Vec3 from, Vec3 direction) {
-  const Vec3 u = t[1] - t[0];
-  const Vec3 v = t[2] - t[0];
-  const Vec3 normal = cross(direction, v);
-  const double turn = dot(u, normal);
-  if (turn == 0.0) {
-    return false;
-  }
-  const Vec3 away = from - t[0];
-  const double a = dot(away, normal) / turn;
-  const Vec3 other = cross(away, u);
-  const double b = dot(direction, other) / turn;
-  return a >= 0.0 && b >= 0.0 && a + b <= 1.0 && dot(v, other) / turn > 0.0;
-}
-
 /// Whether the surface stands before a point whichever way one looks from it: nobody sees what is there.
-/// Looked at in directions that are spread evenly over the sphere (along a spiral).
+/// Looked at in directions that are even over the sphere.
 bool is_enclosed(const std::vector<Triangle3>& surface, Vec3 p) {
   constexpr int directions = 64;
-  constexpr double golden_angle = 2.399963229728653;
   for (int i = 0; i < directions; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / directions;
-    const double radius = std::sqrt(1.0 - z * z);
-    const Vec3 direction{radius * elementary::cos(golden_angle * i),
-                         radius * elementary::sin(golden_angle * i), z};
+    const Vec3 direction = even_direction(i, directions);
     if (std::none_of(surface.begin(), surface.end(),
-                     [&](const Triangle3& t) { return meets(t, p, direction); })) {
+                     [&](const Triangle3& t) { return std::isfinite(meets_at(p, direction, t)); })) {
       return false;
     }
   }
