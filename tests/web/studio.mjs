@@ -154,6 +154,14 @@ async function makesPaper() {
   await context.close();
 }
 
+/** The first of these for which something holds that has to be waited for. */
+async function firstWithin(all, holds) {
+  for (const one of all) {
+    if (await holds(one)) return one;
+  }
+  return undefined;
+}
+
 /** Edges are cut and joined by hand, and it is undone and done again. */
 async function editsByHand() {
   const {context, page, heard, inspect, idle, exported, shot} = await open(values.page, {locale: "de-DE"});
@@ -227,7 +235,8 @@ async function editsByHand() {
   check(joined.pieces === start.pieces, `a join makes ${joined.pieces} pieces`);
 
   // The tab goes over to the other piece, is left out, and comes back.
-  const pair = joined.joins.findLast(({pieces}) => pieces[0] !== pieces[1]);
+  const pair = await firstWithin(joined.joins.filter(({pieces}) => pieces[0] !== pieces[1]).reverse(),
+    async ({edges}) => (await offered(edges[0], "sheet")).edits[1]?.kind === "tab-from");
   const giver = async () => /Lasche an ([\w.]+)/.exec((await inspect()).foot)?.[1];
   await offered(pair.edges[0], "sheet");
   const gave = await giver();
