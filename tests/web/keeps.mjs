@@ -225,7 +225,7 @@ async function opensWhatItWrote() {
   for (const suffix of ["ridgecraft", "html"]) {
     await drop([[`mine.${suffix}`, bytes(suffix)]]);
     await page.waitForFunction(() => globalThis.ridgecraft.inspect().pieces > 0);
-    check((await idle()).error === "" && /^make: whale\.obj --weigh bare=\S+ --weigh outline=\S+ \|  \| whale\.mtl,whale\.obj$/.test(await made()), `${suffix}: ${(await inspect()).error} ${await made()}`);
+    check((await idle()).error === "" && /^make: whale\.obj --from=whale\.fold \|  \| whale\.fold,whale\.mtl,whale\.obj$/.test(await made()), `${suffix}: ${(await inspect()).error} ${await made()}`);
   }
   await drop([["whale.fold", bytes("fold")]]);
   await page.waitForFunction(() => globalThis.ridgecraft.inspect().notes.some(({text}) => text.includes("--from whale.fold")));
