@@ -32,6 +32,8 @@ Rows instead_messages() {
        "behält die Körper der Datei wie mit --keep-bodies"},
       {"instead_regions", "has a piece for each flat region", "hat ein Teil für jede ebene Fläche"},
       {"instead_tabs", "has no tabs", "hat keine Laschen"},
+      {"not_glued", "{n} {n|body has|bodies have} no glue outline, as theirs failed the check",
+       "{n} {n|Körper hat|Körper haben} keinen Klebeumriss, da ihrer die Prüfung nicht bestand"},
   };
 }
 

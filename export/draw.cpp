@@ -89,7 +89,8 @@ class PageDrawer {
         backs_(pages_.count) {}
 
   /// `known`: pictures of an earlier drawing, or nothing.
-  std::vector<Drawing> draw(const DrawnPictures* known) {
+  std::vector<Drawing> draw(const DrawnPictures* known, std::vector<std::array<PieceId, 2>> not_glued) {
+    report_.not_glued = std::move(not_glued);
     describe_pieces();
     draw_pieces();
     for (std::size_t page = 0; page < pages_.count; ++page) {
@@ -118,7 +119,7 @@ class PageDrawer {
 
  private:
   void describe_pieces() {
-    report_.glue_outlines = find_glue_outlines(surface_, nets_);
+    report_.glue_outlines = find_glue_outlines(surface_, nets_, report_.not_glued);
     report_.bodies = find_bodies(model_, nets_, report_.glue_outlines);
     report_.kinds = find_piece_kinds(model_, nets_);
     report_.objects = find_piece_objects(model_, nets_);
@@ -235,7 +236,8 @@ class PageDrawer {
 std::vector<Drawing> draw(const PlacedNets& placed, const Style& style, DrawReport* report,
                           const Context& context) {
   PageDrawer drawer(placed, style, context);
-  std::vector<Drawing> drawings = drawer.draw(report == nullptr ? nullptr : report->pictures.get());
+  DrawReport given = report == nullptr ? DrawReport() : std::move(*report);
+  std::vector<Drawing> drawings = drawer.draw(given.pictures.get(), std::move(given.not_glued));
   if (report != nullptr) {
     *report = std::move(drawer).report();
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "job/from_nets.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/encodings.hpp"
 #include "base/error.hpp"
@@ -19,20 +21,37 @@
 namespace ridgecraft::job {
 namespace {
 
-/// Nothing that fails its own check leaves the program.
-verify::Figures checked_figures(const std::string& fold, const Context& context) {
-  const verify::Report report = verify::verify(fold, {.max_faults = 3}, context);
-  if (!report.sound() || !report.figures) {
-    throw Error(ErrorKind::internal,
-                Message("failed_check",
-                        {{"fault", report.faults.empty() ? "no figures" : report.faults.front().message}}));
+using Glue = std::vector<export_::GlueOutline>;
+
+/// Leaves out those glue outlines that fail their check; how many.
+std::size_t leave_out_faulty(const verify::Report& report, const Glue& glue, export_::DrawReport& drawn) {
+  std::size_t count = 0;
+  for (const verify::Fault& fault : report.faults) {
+    for (const auto& [what, index] : fault.indices) {
+      if (what == "glue") {
+        const export_::GlueOutline& faulty = glue[static_cast<std::size_t>(index)];
+        drawn.not_glued.push_back({faulty.piece, faulty.other});
+        ++count;
+      }
+    }
   }
-  return *report.figures;
+  return count;
 }
 
 /// The nets that are cut out.
 const unfold::Nets& nets_on_pages(const Result& made) {
   return made.nets_of_board ? *made.nets_of_board : made.nets;
+}
+
+void write(Result& made, const export_::Pages* pages, const Glue& glue) {
+  const mesh::Model& model = made.prepared.model;
+  made.mark = {program_and_version(), model.name, model.digest,
+               with_searched(settings_of(made.options, made.used, made.seed), made.searched_with)};
+  if (!made.edits.empty()) {
+    made.mark.settings["edits"] = json_string(made.edits);
+  }
+  made.fold = export_::write_fold({made.prepared, made.part, made.nets, made.assembly, pages, glue, made.up},
+                                  made.mark);
 }
 
 }  // namespace
@@ -84,7 +103,6 @@ void draw_pages(Result& made, StageClock& clock, const Context& context) {
 }
 
 void finish(Result& made, StageClock& clock, const Context& context) {
-  const mesh::Model& model = made.prepared.model;
   // Files keep the nets of the surface, which are larger or smaller than those of board: they get pages of
   // their own.
   std::optional<export_::Pages> own;
@@ -92,19 +110,33 @@ void finish(Result& made, StageClock& clock, const Context& context) {
     own =
         clock("lay out", context, [&] { return laid_out(made.prepared, made.options, made.nets, context); });
   }
-  made.fold = clock("write", context, [&] {
-    made.mark = {program_and_version(), model.name, model.digest,
-                 with_searched(settings_of(made.options, made.used, made.seed), made.searched_with)};
-    if (!made.edits.empty()) {
-      made.mark.settings["edits"] = json_string(made.edits);
+  // Nothing that fails its own check leaves the program; what would be glued where it can't be is left out.
+  for (std::size_t left_out = 0;;) {
+    const Glue glue =
+        own ? export_::find_glue_outlines(made.prepared.model.surface, made.nets, made.drawn.not_glued)
+            : made.drawn.glue_outlines;
+    clock("write", context, [&] {
+      write(made, own ? &*own : made.options.paper ? &made.pages : nullptr, glue);
+      return true;
+    });
+    const verify::Report report =
+        clock("verify", context, [&] { return verify::verify(made.fold, {.max_faults = 3}, context); });
+    if (report.sound() && report.figures) {
+      made.figures = *report.figures;
+      if (left_out > 0) {
+        made.nets.notes.push_back(Message("not_glued", {{"n", left_out}}));
+      }
+      return;
     }
-    const export_::Pages* const pages = own ? &*own : made.options.paper ? &made.pages : nullptr;
-    return export_::write_fold(
-        {made.prepared, made.part, made.nets, made.assembly, pages,
-         own ? export_::find_glue_outlines(model.surface, made.nets) : made.drawn.glue_outlines, made.up},
-        made.mark);
-  });
-  made.figures = clock("verify", context, [&] { return checked_figures(made.fold, context); });
+    const std::size_t faulty = leave_out_faulty(report, glue, made.drawn);
+    if (faulty == 0) {
+      throw Error(ErrorKind::internal,
+                  Message("failed_check",
+                          {{"fault", report.faults.empty() ? "no figures" : report.faults.front().message}}));
+    }
+    left_out += faulty;
+    draw_pages(made, clock, context);
+  }
 }
 
 export_::Guide drawn_guide(const Result& made, const Context& context) {

@@ -24,7 +24,8 @@ void draw_pages(Result& made, StageClock& clock, const Context& context);
 /// The guide of nets whose pages are drawn.
 [[nodiscard]] export_::Guide drawn_guide(const Result& made, const Context& context);
 
-/// The FOLD file. Throws Error(internal) where it fails its check.
+/// The FOLD file, checked. Glue outlines that fail are left out, and a note of the nets says so. Throws
+/// Error(internal) where anything else fails.
 void finish(Result& made, StageClock& clock, const Context& context);
 
 }  // namespace ridgecraft::job

@@ -188,7 +188,7 @@ std::string hard_line(const MakeJob& job, const MakeResult& result, const GlueFi
   const job::Result& made = result.made;
   Clauses clauses;
   for (const Message& note : made.nets.notes) {
-    if (note.code == "instead") {
+    if (note.code == "instead" || note.code == "not_glued") {
       clauses.push_back(english(note));
     }
   }

@@ -346,7 +346,8 @@ void add_outlines(const mesh::Surface& surface, const unfold::Nets& nets, Common
 
 }  // namespace
 
-std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const unfold::Nets& nets) {
+std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const unfold::Nets& nets,
+                                            std::span<const std::array<PieceId, 2>> except) {
   if (surface.component_count() < 2) {
     return {};
   }
@@ -356,6 +357,9 @@ std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface, const 
   for (const Reach& reach : {on_each_other, beside_each_other}) {
     add_outlines(surface, nets, common_areas(surface, nets, all, reach, held), held, glue_outlines);
   }
+  std::erase_if(glue_outlines, [&](const GlueOutline& one) {
+    return std::ranges::find(except, std::array{one.piece, one.other}) != except.end();
+  });
   std::ranges::sort(glue_outlines, {},
                     [](const GlueOutline& one) { return std::pair(one.piece, one.other); });
   return glue_outlines;

@@ -30,10 +30,11 @@ inline constexpr double near_enough_mm = 1.2;
 /// All pairs of pieces of different components that have more than a few mm^2 of parallel faces in common, in
 /// the order of the pieces, and those that nearly have where nothing else holds a body; an opening counts as
 /// a face of the body that is glued on if its border is flat, so a cap without a back is glued where it
-/// stands. Bodies that run through each other's faces don't touch by this. O(n log n) in faces and pairs of
-/// faces near each other.
-[[nodiscard]] std::vector<GlueOutline> find_glue_outlines(const mesh::Surface& surface,
-                                                          const unfold::Nets& nets);
+/// stands. Bodies that run through each other's faces don't touch by this. Pairs of `except` (GlueOutline's
+/// piece and other) are left out. O(n log n) in faces and pairs of faces near each other.
+[[nodiscard]] std::vector<GlueOutline> find_glue_outlines(
+    const mesh::Surface& surface, const unfold::Nets& nets,
+    std::span<const std::array<PieceId, 2>> except = {});
 
 /// A component of the surface, by its pieces.
 struct Body {

@@ -96,6 +96,8 @@ struct DrawReport {
   std::size_t labels_outside = 0;          ///< numbers that stand beside their piece, with a leader
   std::size_t names_left_out = 0;          ///< pieces whose name found no place
   std::vector<GlueOutline> glue_outlines;  ///< where pieces of separate bodies are glued to each other
+  std::vector<std::array<PieceId, 2>>
+      not_glued;                           ///< those that aren't, if they lie on each other; given, too
   std::vector<Body> bodies;                ///< separate ones, if there are several (export/sheet/bodies.hpp)
   std::vector<PieceKind> kinds;            ///< of pieces that there are several of, as Nets::equal
   IdVector<PieceId, std::string> objects;  ///< of each piece, as find_piece_objects()

@@ -8,6 +8,9 @@
 #include <catch2/catch.hpp>
 
 #include "base/error.hpp"
+#include "job/from_nets.hpp"
+#include "job/job.hpp"
+#include "support/shapes.hpp"
 
 using namespace ridgecraft;
 using job::Options;
@@ -68,4 +71,43 @@ TEST_CASE("where none is sound, or something else is wrong, the first error is t
   Attempts other{10, ErrorKind::no_nets};
   CHECK_THROWS_WITH(result_of(other), "attempt 1");
   CHECK(other.made == 1);
+}
+
+TEST_CASE("a glue outline that fails the check is left out, and a note says so") {
+  std::vector<Vec3> points;
+  std::vector<std::array<VertexId, 3>> faces;
+  const mesh::Surface cube = test::cube();
+  for (const Vec3 by : {Vec3{}, Vec3{0.1, 0.2, 1.02}}) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Vec3 p : cube.points()) {
+      points.push_back(p + by);
+    }
+    for (const FaceId f : ids<FaceId>(cube.face_count())) {
+      const auto [a, b, c] = cube.vertices(f);
+      faces.push_back(
+          {VertexId(first + a.value()), VertexId(first + b.value()), VertexId(first + c.value())});
+    }
+  }
+  mesh::Model model;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    model.polygon.push_back(f);
+  }
+  model.polygon_count = faces.size();
+  model.digest = "0123456789abcdef";
+  model.surface = mesh::Surface(std::move(points), std::move(faces));
+  job::Options options;
+  options.size.adapts = false;
+  options.size.largest_extent_mm = 100.0;
+  Result made = job::run(std::move(model), options, {});
+  REQUIRE(made.drawn.glue_outlines.size() == 1);
+  CHECK(made.nets.notes.empty());
+  for (Vec2& p : made.drawn.glue_outlines[0].outlines[0]) {
+    p += Vec2{20.0, 20.0};
+  }
+  job::StageClock clock;
+  job::finish(made, clock, {});
+  CHECK(made.drawn.glue_outlines.empty());
+  CHECK(export_::bodies_apart(made.drawn.bodies) == 2);
+  REQUIRE(made.nets.notes.size() == 1);
+  CHECK(made.nets.notes.front().code == "not_glued");
 }

@@ -184,25 +184,24 @@ class GlueCheck {
     return finders_.emplace(piece, BoxFinder(boxes)).first->second;
   }
 
-  /// The place in space of a point of a piece; nothing where the piece has no paper there.
-  [[nodiscard]] std::optional<Vec3> in_space(Index piece, Vec2 p) {
+  /// How far a point of a piece is from a body when it is folded: nothing where the piece has no paper there.
+  /// At a slit it is on either side, as its place isn't known better.
+  [[nodiscard]] std::optional<double> distance(Index piece, Vec2 p, Index body) {
+    std::optional<double> nearest;
     if (pairs_[piece].empty()) {
-      return std::nullopt;
+      return nearest;
     }
-    // The last of the nearest triangles, in whatever order they are found.
-    std::pair<double, Index> best{glue_place_mm, 0};
-    const FoldedTriangle* nearest = nullptr;
     finder_of(piece).for_each_overlapping(grown(Box2{p, p}, 2.0 * glue_place_mm), [&](std::uint32_t i) {
-      const double d = distance_to(pairs_[piece][i].flat, p);
-      if (d < best.first || (d <= best.first && i >= best.second)) {
-        best = {d, i};
-        nearest = &pairs_[piece][i];
+      const FoldedTriangle& t = pairs_[piece][i];
+      const auto weights = weights_at(t.flat, p);
+      if (weights && distance_to(t.flat, p) <= glue_place_mm) {
+        const Vec3 place =
+            (*weights)[0] * t.solid[0] + (*weights)[1] * t.solid[1] + (*weights)[2] * t.solid[2];
+        const double away = distance_to_body(body, place);
+        nearest = nearest ? std::min(*nearest, away) : away;
       }
     });
-    const auto weights = nearest == nullptr ? std::nullopt : weights_at(nearest->flat, p);
-    return weights ? std::optional((*weights)[0] * nearest->solid[0] + (*weights)[1] * nearest->solid[1] +
-                                   (*weights)[2] * nearest->solid[2])
-                   : std::nullopt;
+    return nearest;
   }
 
   /// To the nearest place of its faces, or of what closes its openings.
@@ -224,13 +223,13 @@ class GlueCheck {
         given_.context.check();
         for (const double fraction : {0.0, 0.5}) {
           const Vec2 p = outline[i] + fraction * (outline[(i + 1) % outline.size()] - outline[i]);
-          const std::optional<Vec3> place = in_space(spot.piece, p);
-          if (!place) {
+          const std::optional<double> away = distance(spot.piece, p, body);
+          if (!away) {
             add(number, "reaches beyond its piece");
             return;
           }
-          if (const double away = distance_to_body(body, *place); away > glue_gap_mm + glue_place_mm) {
-            add(number, fmt::format("is {:.3f} mm away from what is glued there", away));
+          if (*away > glue_gap_mm + glue_place_mm) {
+            add(number, fmt::format("is {:.3f} mm away from what is glued there", *away));
             return;
           }
         }
