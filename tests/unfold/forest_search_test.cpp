@@ -133,28 +133,6 @@ std::size_t overlaps_by_brute_force(const Forest& forest) {
 
 }  // namespace
 
-TEST_CASE("the share of seams without a tab is that of the tabs as they are", "[forest]") {
-  const mesh::Surface surface = test::scaled(test::cube(), 40.0);
-  const prepare::Panels panels = test::flat_panels(surface);
-  const Patch patch = test::whole_patch(surface, panels);
-  Random random(1);
-  const Folds tree = unfold::start_tree(patch, random);
-  const Folds all_apart(patch.frozen.begin(), patch.frozen.end());
-  const unfold::Room room;
-  const Weights weights;
-  const auto share = [&](const unfold::TabOptions& tabs, const Folds& folds) {
-    return unfold::bare_share({surface, panels, patch, {}, tabs, room, weights}, folds);
-  };
-  CHECK(share({}, tree) == 0.0);
-  CHECK(share({}, all_apart) == 0.0);
-  unfold::TabOptions options;
-  options.wanted = false;
-  CHECK(share(options, tree) == 0.0);
-  const mesh::Surface small = test::scaled(test::cube(), 1.0);
-  const Patch crumb = test::whole_patch(small, panels);
-  CHECK(unfold::bare_share({small, panels, crumb, {}, {}, room, weights}, tree) == 1.0);
-}
-
 TEST_CASE("a forest lies after its moves as if it were laid out again, and each move has an inverse",
           "[forest]") {
   for (const std::size_t trees : {1U, 2U, 6U}) {

@@ -574,19 +574,4 @@ std::optional<double> exact_cost(const ForestProblem& problem, const Folds& fold
   return state.exact_total();
 }
 
-double bare_share(const ForestProblem& problem, const Folds& folds) {
-  State state(problem, folds);
-  if (!state.tabs) {
-    return 0.0;
-  }
-  state.tabs->renew_all();
-  double cut_mm = 0.0;
-  for (std::uint32_t side = 0; side < problem.patch.twin.size(); ++side) {
-    if (state.tabs->is_cut(side) && state.tabs->join_of(side) == side) {
-      cut_mm += problem.patch.length[side];
-    }
-  }
-  return cut_mm > 0.0 ? 1.0 - state.tabs->held_mm() / cut_mm : 0.0;
-}
-
 }  // namespace ridgecraft::unfold

@@ -59,10 +59,6 @@ struct SearchRules {
 /// What a forest costs with its tabs as they are, mm; nothing where it doesn't fit the room. O(n log n).
 [[nodiscard]] std::optional<double> exact_cost(const ForestProblem& problem, const Folds& folds);
 
-/// The share of the length of a forest's cuts that has no usable tab, with the tabs as they are; 0 where none
-/// are wanted. O(n log n).
-[[nodiscard]] double bare_share(const ForestProblem& problem, const Folds& folds);
-
 /// A value between two, in equal ratios for equal steps of `share` from 0 to 1.
 [[nodiscard]] inline double between(double first, double last, double share) {
   return first * elementary::pow(last / first, share);

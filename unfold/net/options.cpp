@@ -57,7 +57,7 @@ PieceRules rules_of_single_parts() {
 Options with_prices(const Options& options) {
   Options priced = options;
   if (options.tabs.on_all_edges()) {
-    // 16 mm without a tab weigh as much as a piece: cuts for the rest then part fewer.
+    // 18 mm without a tab weigh as much as a piece: cuts for the rest then part fewer.
     constexpr double bare_with_all_tabs = 20.0;
     double& bare = priced.pieces.weights.bare;
     bare = std::max(bare, bare_with_all_tabs);

@@ -54,13 +54,13 @@ inline constexpr double fold_give_mm = 0.3;
 /// searches share. Each term has a name that users can weigh (energy/cut_costs.hpp, energy/tree_shape.hpp).
 struct Weights {
   double seam = 1.0;      ///< each mm of seam
-  double bare = 2.5;      ///< each mm of seam without room for a tab that holds
+  double bare = 6.0;      ///< each mm of seam without room for a tab that holds
   double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
   double mirror = 1.5;    ///< each mm of seam whose image, mirrored or turned, is none
   double bands = 1.0;     ///< each mm of seam across a closed strip beyond one
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double borders = 0.7;   ///< each mm of fold where colours or names of the model meet
-  double compact = 4.5;   ///< each cm2 of a piece's convex hull that is no paper
+  double compact = 5.0;   ///< each cm2 of a piece's convex hull that is no paper
   double outline = 0.5;   ///< square of a piece's outline, over 1000 mm
   double thin = 0.5;      ///< necks: mm by which what hangs on one is wider than three times its own width
   double pieces = 360.0;  ///< each piece
