@@ -22,6 +22,7 @@
 #include "job/options.hpp"
 #include "job/page_layout.hpp"
 #include "job/remark.hpp"
+#include "job/remedies.hpp"
 #include "job/settings.hpp"
 #include "job/unfold_options.hpp"
 #include "mesh/look/relief.hpp"
@@ -187,6 +188,8 @@ std::optional<mesh::ReliefParts> relief_for(const Options& options, const mesh::
 /// Models of more faces aren't judged once more at another size, and no other result takes the place of one
 /// that fails its check: it would take too long, and too much memory.
 constexpr std::size_t most_judged_faces = 200000;
+/// Of larger ones nothing is tried that would be less work: each try takes as long as all of preparation.
+constexpr std::size_t most_remedied_faces = 20000;
 /// Of the time that is left.
 constexpr double judging_share = 0.5;
 
@@ -250,6 +253,7 @@ class Run {
     prepare(std::move(united));
     settle_size();
     describe();
+    look_for_remedies();
     require_buildable();
     remark_beforehand();
     unfold();
@@ -301,6 +305,9 @@ class Run {
     used.simplify.part_attached =
         parts_standing_for(options_.edges, options_.bodies == prepare::Bodies::unite &&
                                                used.simplify.mode != prepare::Simplification::keep);
+    if (model.surface.face_count() <= most_remedied_faces && !options_.edges.cut && !options_.edges.keep) {
+      asked_ = model;
+    }
     look_ = clock_("prepare", context_, [&] { return look_for(options_, model, context_); });
     relief_ = clock_("prepare", context_, [&] { return relief_for(options_, model); });
     return model;
@@ -429,10 +436,30 @@ class Run {
         export_::find_lost_edges(prepared, relief, reach, options_.style.hidden_fold_angle, context_);
   }
 
+  /// Not for edges that are named: other faces don't have them.
+  void look_for_remedies() {
+    if (!asked_ || options_.edges.from || !needs_remedies(made_.prepared, made_.used)) {
+      return;
+    }
+    in_stage("prepare", [&] {
+      const Context in_time = until_deadline(context_, judging_share);
+      made_.remedies =
+          find_remedies(*asked_, made_.prepared, made_.used, [&](mesh::Model model, const UsedOptions& used) {
+            OneSkin skin;
+            skin.model = std::move(model);
+            if (options_.bodies == prepare::Bodies::unite) {
+              skin = one_skin(std::move(skin.model), used.size, used.simplify, in_time);
+            }
+            return prepare::prepare_as_asked(std::move(skin.model), used.size, used.simplify,
+                                             panel_room(options_), in_time);
+          });
+    });
+    asked_.reset();
+  }
+
   void require_buildable() const {
-    const auto why = verdict(made_.prepared, larger_size_is_sure(made_.cleanup, made_.skin));
-    if (options_.strict && why) {
-      throw Error(ErrorKind::unbuildable, *why);
+    if (options_.strict && !prepare::can_be_folded(made_.prepared)) {
+      throw Error(ErrorKind::unbuildable, *verdict(made_.prepared, made_.remedies));
     }
   }
 
@@ -488,6 +515,7 @@ class Run {
   std::optional<mesh::LookParts> look_;
   std::optional<mesh::ReliefParts> relief_;
   std::optional<mesh::Model> as_read_;  ///< where it may have to be judged at another size
+  std::optional<mesh::Model> asked_;    ///< where other options may have to be tried
   mesh::Surface united_;                ///< what it became at the usual size, then
   bool pages_remarked_ = false;
 };

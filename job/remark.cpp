@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -95,14 +94,14 @@ std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double 
                     prepared.model.surface.bounds().largest_extent() * easy_fold_mm / *middle};
 }
 
-bool larger_size_is_sure(const prepare::CleanupReport& cleanup, const prepare::SkinReport& skin) {
-  return cleanup.left_out.count() == 0 && cleanup.proxies.count == 0 && cleanup.thin_walls.walls == 0 &&
-         skin.gaps_closed == 0;
-}
-
-std::optional<Message> verdict(const prepare::Prepared& prepared, bool larger_is_sure) {
+std::optional<Message> verdict(const prepare::Prepared& prepared, const std::vector<Remedy>& remedies) {
+  std::vector<Message> ways;
+  for (const Remedy& remedy : remedies) {
+    ways.push_back(
+        Message("with_option", {{"option", remedy.option}, {"hours", fmt::format("{:.1f}", remedy.hours)}}));
+  }
   if (prepare::can_be_folded(prepared)) {
-    return std::nullopt;
+    return ways.empty() ? std::nullopt : std::optional(Message("no_evening", {{"ways", std::move(ways)}}));
   }
   std::vector<Message> reasons;
   const auto add_reason = [&](const char* code, double share, double mm) {
@@ -115,14 +114,12 @@ std::optional<Message> verdict(const prepare::Prepared& prepared, bool larger_is
   if (prepare::has_many_slivers(prepared)) {
     add_reason("narrow_faces_share", prepared.sliver_fraction, prepare::sliver_mm);
   }
-  const Message size = prepared.smallest_size_mm
-                           ? Message(larger_is_sure ? "size_helps" : "size_may_help",
-                                     {{"mm", fmt::format("{:.0f}", *prepared.smallest_size_mm)}})
-                           : Message("no_size_helps");
+  Message help =
+      ways.empty() ? Message("nothing_helps") : Message("options_help", {{"ways", std::move(ways)}});
   const double extent = prepared.model.surface.bounds().largest_extent();
-  return Message(
-      "unbuildable",
-      {{"mm", fmt::format("{:.4g}", extent)}, {"reasons", std::move(reasons)}, {"size", std::vector{size}}});
+  return Message("unbuildable", {{"mm", fmt::format("{:.4g}", extent)},
+                                 {"reasons", std::move(reasons)},
+                                 {"help", std::vector{std::move(help)}}});
 }
 
 }  // namespace ridgecraft::job

@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "base/message.hpp"
 #include "base/vector.hpp"
@@ -61,13 +63,16 @@ using Listener = std::function<void(const Remark&)>;
 
 // Whether a person could build what comes out, and why not.
 
-/// Whether what is told of a larger size was tried with the same bodies that a job has there: where bodies
-/// were left out, thinned or moved for this size, others are at another one.
-[[nodiscard]] bool larger_size_is_sure(const prepare::CleanupReport& cleanup,
-                                       const prepare::SkinReport& skin);
+/// An option that helps, as it was tried.
+struct Remedy {
+  std::string option;  ///< "--faces 300"
+  double hours = 0.0;  ///< of work that are expected with it
+};
 
-/// "can't be built at 150 mm: 38 % of the folds are shorter than 5 mm; at 380 mm it can", or "it may" where
-/// that isn't sure; none for a model that can be folded.
-[[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared, bool larger_is_sure);
+/// "can't be built at 150 mm: 38 % of the folds are shorter than 5 mm; --size 380mm (5.2 hours) can", or "no
+/// evening's work: --faces 300 (3.8 hours) would be"; none where neither is so, or where nothing makes it
+/// one.
+[[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared,
+                                             const std::vector<Remedy>& remedies);
 
 }  // namespace ridgecraft::job

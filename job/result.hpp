@@ -39,6 +39,7 @@ struct Result {
   prepare::CleanupReport cleanup;  ///< of bodies before they were united
   prepare::SkinReport skin;        ///< of uniting them
   prepare::Prepared prepared;
+  std::vector<Remedy> remedies;   ///< that make it buildable, or an evening's work, where it isn't
   std::size_t slivers = 0;        ///< faces of it (prepare::count_slivers)
   IdVector<FaceId, PartId> part;  ///< of each face; parts end at the borders of flat regions
   std::size_t part_count = 0;

@@ -18,7 +18,6 @@
 #include "job/remark.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/prepared.hpp"
-#include "prepare/selection/selection.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -192,7 +191,7 @@ std::string hard_line(const MakeJob& job, const MakeResult& result, const GlueFi
       clauses.push_back(english(note));
     }
   }
-  if (const auto why = job::verdict(made.prepared, job::larger_size_is_sure(made.cleanup, made.skin))) {
+  if (const auto why = job::verdict(made.prepared, made.remedies)) {
     clauses.push_back(english(*why));
   }
   if (std::string why =
@@ -275,20 +274,13 @@ std::string next_line(const MakeJob& job, const MakeResult& result, const GlueFi
   if (!guides.empty()) {
     clauses.push_back("build it by " + listed(guides, "or"));
   }
-  if (prepare::is_too_fine(made.prepared) && made.prepared.smallest_size_mm) {
-    clauses.push_back(fmt::format("--size {:.0f}mm {} be folded", *made.prepared.smallest_size_mm,
-                                  job::larger_size_is_sure(made.cleanup, made.skin) ? "can" : "may"));
-  } else if (lacks_tabs(made, glue)) {
+  if (lacks_tabs(made, glue)) {
     clauses.emplace_back("--all-tabs gives more of the seams tabs, with more pieces");
   } else if (made.share_saving_a_page && made.slivers == 0) {
     clauses.push_back(fmt::format("--size {:.0f}mm may save a page", size_saving_a_page(made)));
   }
   if (made.ground) {
     clauses.push_back("--without '" + *made.ground + "' leaves the ground out");
-  }
-  if (const auto scattered = prepare::scattered_name(made.prepared.model)) {
-    clauses.push_back(fmt::format("--without '{}' leaves {} of its {} bodies out", scattered->name,
-                                  scattered->bodies, made.prepared.model.surface.component_count()));
   }
   clauses.emplace_back("-v shows all figures");
   return joined(clauses, {});

@@ -138,10 +138,8 @@ void say_simplified(Summary& summary, const job::Result& made) {
     summary.say(Line::simplified, "left out",
                 counted(report.features_removed, "small feature") + " of flat walls");
   }
-  if (const auto why = job::verdict(made.prepared, job::larger_size_is_sure(made.cleanup, made.skin))) {
-    const std::optional<double>& size = made.prepared.smallest_size_mm;
-    summary.say(Line::simplified, "too fine",
-                english(*why) + (size ? fmt::format(": --size {:.0f}mm", *size) : ", but fewer --faces may"));
+  if (const auto why = job::verdict(made.prepared, made.remedies)) {
+    summary.say(Line::simplified, "too fine", english(*why));
   }
 }
 

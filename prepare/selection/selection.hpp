@@ -31,14 +31,14 @@ struct Selection {
 /// side of it. Nothing where there is none, or where the ground has no name of its own. O(n log n).
 [[nodiscard]] std::optional<std::string> ground_name(const mesh::Model& model);
 
-/// What many small bodies have in common.
-struct Scattered {
+/// A name and how much of the model has it.
+struct NamedPart {
   std::string name;
-  std::size_t bodies = 0;
+  std::size_t faces = 0;
+  double area = 0.0;  ///< in the square of the model's unit
 };
 
-/// The name of hair, leaves or bricks that make a model of more than ten bodies: half of its bodies and more
-/// have it, and two fifths of its area at most. O(n log n).
-[[nodiscard]] std::optional<Scattered> scattered_name(const mesh::Model& model);
+/// What each name is of, those with the most faces first. O(n log n).
+[[nodiscard]] std::vector<NamedPart> named_parts(const mesh::Model& model);
 
 }  // namespace ridgecraft::prepare

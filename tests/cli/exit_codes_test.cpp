@@ -59,7 +59,7 @@ TEST_CASE("exit code 9: --strict refuses what nobody could build", "[exit_codes]
   const double size = report.at("smallest_size_mm").get<double>();
   const std::string option = std::to_string(static_cast<int>(size)) + "mm";
   const Outcome strict = run_program({"house.obj", "--size", "3mm", "--strict", "-o", "y.fold"}, in(folder));
-  check_refusal(strict, 9, "at " + std::to_string(static_cast<int>(size)) + " mm it can");
+  check_refusal(strict, 9, "--size " + option + " (");
   CHECK(folder.names() == std::set<std::string>{"house.obj", "x.fold"});
   const Outcome larger = run_program({"house.obj", "--size", option, "--strict", "-o", "y.fold"}, in(folder));
   CHECK(larger.exit_code == 0);

@@ -60,6 +60,22 @@ TEST_CASE("the same tabs again and the same paper again give the same bytes", "[
   CHECK(bytes_of(job::with_pages(made, *made.options.paper, made.options.style, {})) == bytes_of(made));
 }
 
+TEST_CASE("with an option that a job names its model is the work that the job says", "[job]") {
+  job::Options options;
+  options.simplify.mode = prepare::Simplification::keep;
+  options.simplify.budget.hours = 1.0;
+  const job::Result made = job::run(sample("penguin.obj"), options, {});
+  const auto named = std::ranges::find_if(
+      made.remedies, [](const job::Remedy& remedy) { return remedy.option.starts_with("--faces "); });
+  REQUIRE(named != made.remedies.end());
+  CHECK(named->hours <= 1.0);
+  options.simplify.mode = prepare::Simplification::count;
+  options.simplify.faces = std::stoul(named->option.substr(8));
+  const job::Result other = job::run(sample("penguin.obj"), options, {});
+  CHECK(prepare::minutes_of(other.prepared.work) == Approx(60.0 * named->hours).epsilon(0.01));
+  CHECK(other.remedies.empty());
+}
+
 TEST_CASE("other tabs change tabs and nothing of the nets", "[job]") {
   const job::Result made = job::run(sample("house.obj"), {}, {});
   unfold::TabOptions lower = made.options.tabs;
