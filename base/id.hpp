@@ -37,6 +37,7 @@ using CornerId =
     Id<struct CornerTag>;  ///< corner k of face f is 3 f + k; also names the side from corner k to k + 1
 using ComponentId = Id<struct ComponentTag>;  ///< faces connected over edges
 using PanelId = Id<struct PanelTag>;          ///< a flat region of a Surface
+using RollId = Id<struct RollTag>;            ///< a band that is rolled (prepare)
 using PartId = Id<struct PartTag>;            ///< a nearly convex part (segment)
 using PieceId = Id<struct PieceTag>;          ///< a connected net (unfold)
 using JoinId = Id<struct JoinTag>;            ///< two cut edges that are glued together (unfold)

@@ -37,6 +37,24 @@ Rows instead_messages() {
   };
 }
 
+Rows roll_messages() {
+  return {
+      {"roll", "roll, radius {mm} mm", "rollen, Radius {mm} mm"},
+      {"roll_inside", "roll, print inside, radius {mm} mm", "rollen, Druck nach innen, Radius {mm} mm"},
+      {"roll_cone", "roll, radius {from} to {to} mm", "rollen, Radius {from} bis {to} mm"},
+      {"roll_cone_inside", "roll, print inside, radius {from} to {to} mm",
+       "rollen, Druck nach innen, Radius {from} bis {to} mm"},
+      {"round_pen", "a pen of {mm} mm", "einen Stift von {mm} mm"},
+      {"round_tube", "a tube of {mm} mm", "ein Rohr von {mm} mm"},
+      {"round_edge", "the edge of a table", "eine Tischkante"},
+      {"board_too_stiff",
+       "{n|one line is|# lines are} folded that paper would be rolled at: board of {thickness} mm bends no "
+       "tighter than {radius} mm",
+       "{n|eine Linie wird|# Linien werden} gefaltet, wo Papier gerollt würde: Pappe von {thickness} mm biegt sich "
+       "nicht enger als {radius} mm"},
+  };
+}
+
 Rows option_messages() {
   return {
       {"option_length", "{option} takes a length such as 150mm, 15cm or 6in, not '{text}'",
@@ -417,8 +435,8 @@ const std::vector<MessageRow>& message_table() {
   static const std::vector<MessageRow> table = [] {
     std::vector<MessageRow> all;
     for (const auto messages :
-         {general_messages, instead_messages, option_messages, paper_messages, size_messages, no_tab_messages,
-          piece_messages, note_messages, edit_messages, repair_messages}) {
+         {general_messages, instead_messages, roll_messages, option_messages, paper_messages, size_messages,
+          no_tab_messages, piece_messages, note_messages, edit_messages, repair_messages}) {
       const Rows rows = messages();
       all.insert(all.end(), rows.begin(), rows.end());
     }

@@ -13,12 +13,14 @@
 #include "export/page/glue_outlines.hpp"
 #include "export/page/lists.hpp"
 #include "export/page/piece_drawing.hpp"
+#include "export/page/roll_marks.hpp"
 #include "export/page/seam_marks.hpp"
 #include "export/page/texts.hpp"
 #include "export/paint/lost_edges.hpp"
 #include "export/paint/paint.hpp"
 #include "export/sheet/bodies.hpp"
 #include "export/sheet/pieces.hpp"
+#include "export/sheet/rolled.hpp"
 
 namespace ridgecraft::export_ {
 
@@ -84,6 +86,7 @@ class PageDrawer {
         context_(context),
         can_list_(has_room_for_lists(pages_.paper)),
         contents_(piece_contents(surface_, nets_)),
+        rolled_(rolled_parts(model_, nets_)),
         pieces_(pages_.count),
         piece_ids_(pages_.count),
         backs_(pages_.count) {}
@@ -134,6 +137,8 @@ class PageDrawer {
     for (const PieceId id : ids<PieceId>(nets_.pieces.size())) {
       const Placement& placement = pages_.placements[id];
       PieceDrawing piece = piece_drawing(on_page(id), style_);
+      const auto rolled = std::ranges::equal_range(rolled_, id, {}, &RolledPart::piece);
+      add_roll_marks(on_page(id), std::span<const RolledPart>(rolled.begin(), rolled.end()), piece);
       add_ticks(piece);
       piece.notes = notes[id];
       report_lines(piece.group, report_);
@@ -223,6 +228,7 @@ class PageDrawer {
   const Context& context_;
   bool can_list_;
   IdVector<PieceId, PieceContents> contents_;
+  std::vector<RolledPart> rolled_;                 ///< by piece
   std::vector<std::vector<PieceDrawing>> pieces_;  ///< of each page
   std::vector<std::vector<PieceId>> piece_ids_;    ///< which these are
   std::vector<std::vector<Text>> lists_;           ///< of each page, list pages included

@@ -190,6 +190,7 @@ constexpr std::array fields{
     Field{"thickness", [](Options& o) -> Place { return &o.board.thickness_mm; }},
     Field{"hinge", [](Options& o) -> Place { return any_enum(o.board.hinge); }},
     Field{"pieces", [](Options& o) -> Place { return any_enum(o.pieces.mode); }},
+    Field{"rolled", [](Options& o) -> Place { return any_enum(o.simplify.rolls.which); }},
     Field{"fold-linear", [](Options& o) -> Place { return &o.pieces.fold_linear; }},
 };
 

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/context.hpp"
 #include "base/error.hpp"
 #include "base/vector.hpp"
@@ -117,6 +119,16 @@ OneSkin one_skin(mesh::Model model, const prepare::SizeOptions& size,
 prepare::PanelRoom panel_room(const Options& options) {
   const Vec2 area = room_for_pieces(options);
   return {{area.x, area.y}, options.paper && options.tabs.wanted ? options.tabs.height_mm : 0.0};
+}
+
+void note_stiff_board(const prepare::Prepared& prepared, const Options& options, double least_radius_mm,
+                      std::vector<Message>& notes) {
+  if (const std::size_t n = prepared.rolls.too_tight; n > 0) {
+    notes.push_back(
+        Message("board_too_stiff", {{"n", n},
+                                    {"thickness", fmt::format("{:g}", options.board.thickness_mm)},
+                                    {"radius", fmt::format("{:.0f}", least_radius_mm)}}));
+  }
 }
 
 void note_divided_panels(const prepare::Prepared& prepared, std::vector<Message>& notes) {
@@ -245,6 +257,8 @@ class Run {
     made_.options = options;
     made_.used = {options.bodies, options.size, options.simplify};
     made_.used.simplify.hidden_fold_angle = options.style.hidden_fold_angle;
+    made_.used.simplify.rolls.least_radius_mm = std::max(
+        prepare::least_paper_radius_mm, prepare::least_radius_to_thickness * options.board.thickness_mm);
     made_.seed = context.seed;
   }
 
@@ -480,6 +494,7 @@ class Run {
     });
     if (options_.paper) {
       note_divided_panels(made_.prepared, notes_);
+      note_stiff_board(made_.prepared, options_, made_.used.simplify.rolls.least_radius_mm, notes_);
       part_by_labels(page_labels(made_.prepared.model, options_.page_by), made_.prepared, made_.constraints);
     }
     Parts parts = clock_("segment", context_, [&] { return find_parts(made_.prepared, options_, context_); });

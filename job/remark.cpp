@@ -43,7 +43,7 @@ std::vector<double> fold_lengths(const prepare::Prepared& prepared, double hidde
   for (const EdgeId e : ids<EdgeId>(surface.edge_count())) {
     const auto [c, d] = surface.sides(e);
     if (d.valid() && panel[mesh::face_of(c)] != panel[mesh::face_of(d)] &&
-        std::abs(surface.fold_angle(e)) >= hidden_fold_angle) {
+        std::abs(surface.fold_angle(e)) >= hidden_fold_angle && !prepared.rolls.bends(e)) {
       lengths.push_back(surface.length(e));
     }
   }

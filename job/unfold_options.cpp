@@ -115,6 +115,7 @@ unfold::Options unfold_options(const Options& options, const prepare::Prepared& 
   unfolding.pieces = options.pieces;
   unfolding.constraints = std::move(constraints);
   unfolding.labels = author_labels(prepared.model);
+  unfolding.rolls = prepared.rolls.of_edge;
   unfolding.twins = prepared.twins;
   return unfolding;
 }

@@ -315,7 +315,8 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
                              static_cast<double>(surface.face_count());
   prepared.model.repairs.add(mesh::RepairKind::narrow_faces,
                              count_narrow_faces(surface, prepared.panels, narrow_mm));
-  prepared.work = expected_work(surface, prepared.panels, simplify.hidden_fold_angle);
+  prepared.rolls = find_rolls(surface, prepared.panels, simplify.rolls);
+  prepared.work = expected_work(surface, prepared.panels, prepared.rolls, simplify.hidden_fold_angle);
   return prepared;
 }
 

@@ -391,13 +391,13 @@ constexpr double most_moved = 0.06;
 
 /// Whether a model of so many millimetres a unit has to be simplified.
 bool is_too_much(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
-  const Work work = expected_work(surface, find_panels(surface), simplify.hidden_fold_angle, mm);
+  const Work work = expected_work(surface, simplify, mm);
   return excess(work, own_budget(simplify)) > 0.0;
 }
 
 /// Whether that is for its sheer number of faces.
 bool has_too_many_faces(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
-  const Work work = expected_work(surface, find_panels(surface), simplify.hidden_fold_angle, mm);
+  const Work work = expected_work(surface, simplify, mm);
   return surface.face_count() > simplify.most_faces || minutes_of(work) > 60.0 * own_budget(simplify).hours;
 }
 

@@ -141,6 +141,12 @@ std::optional<OneOfEach> one_of_each(const UnfoldProblem& whole) {
       each.options.constraints[e] = whole.options.constraints[each.kept.edge[e]];
     }
   }
+  if (!whole.options.rolls.empty()) {
+    for (const EdgeId e : ids<EdgeId>(each.kept.edge.size())) {
+      each.options.rolls[e] = whole.options.rolls[each.kept.edge[e]];
+    }
+    each.options.rolls.resize(each.kept.edge.size());
+  }
   for (const auto& [first, other] : copies) {
     CopiedBody& copy = each.copies.emplace_back();
     copy.mirrored = other->mirrored;

@@ -93,15 +93,14 @@ Room room_of(const Options& options) {
 
 /// Keeps what can be kept of what is to be kept, and together what that holds together.
 void settle(const UnfoldProblem& problem, const Symmetry& symmetry, const Context& context, Plan& plan) {
-  EdgeConstraints constraints = problem.options.constraints;
   const PieceRules& rules = problem.options.pieces;
-  if (rules.mode != PieceMode::few) {
-    constraints = with_bands_kept({problem.surface, plan.whole, problem.part, problem.options}, symmetry);
-  }
+  const EdgeConstraints constraints =
+      with_bands_kept({problem.surface, plan.whole, problem.part, problem.options}, symmetry);
   // Where it costs nothing that a piece has faces of several parts, the search begins without them.
   plan.group =
       rules.weights.parts > 0.0 ? problem.part : IdVector<FaceId, PartId>(problem.part.size(), PartId(0));
-  if (constraints.empty()) {
+  const auto wanted = [](EdgeConstraint constraint) { return constraint != EdgeConstraint::none; };
+  if (std::none_of(constraints.begin(), constraints.end(), wanted)) {
     return;
   }
   KeptEdges kept = settle_constraints(problem.surface, plan.whole, constraints, plan.room, context);

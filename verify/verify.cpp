@@ -25,13 +25,13 @@ Report check(const File& file, const Options& options, const Context& context, c
   findings.figures().faces = file.faces.faces();
   findings.figures().pieces = file.pieces.size();
   findings.figures().pages = file.pages.size();
-  constexpr std::array steps = {check_lengths,   check_coverage,   check_overlap,
-                                check_bounds,    check_patches,    check_joins,
-                                check_tabs,      check_slits,      check_paper_behind_tabs,
-                                check_refold,    measure_cuts,     check_statements,
-                                check_chains,    check_fold_order, check_equal_pieces,
-                                check_assembly,  check_glue,       count_narrow_pieces,
-                                count_thin_necks};
+  constexpr std::array steps = {check_lengths,       check_coverage,  check_overlap,
+                                check_bounds,        check_patches,   check_joins,
+                                check_tabs,          check_slits,     check_paper_behind_tabs,
+                                check_refold,        measure_cuts,    check_statements,
+                                check_chains,        check_bends,     check_fold_order,
+                                check_equal_pieces,  check_assembly,  check_glue,
+                                count_narrow_pieces, count_thin_necks};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     context.check();
     context.report("verify", static_cast<double>(i + 1) / static_cast<double>(steps.size() + 1));

@@ -8,6 +8,7 @@
  * @property {number} b net vertex
  * @property {"B"|"M"|"V"|"F"} kind cut, mountain, valley, flat
  * @property {number} angle of the fold, valley positive
+ * @property {boolean} bent the paper is rolled there, without a line; of cuts: on either side
  * @property {number[]} faces one at a cut, two at a fold
  * @property {number} piece
  * @property {number} join at a cut: index into joins, or -1
@@ -140,8 +141,8 @@ export function readNets(text) {
   const edges = fold.edges_vertices.map((/** @type {number[]} */ [a, b], /** @type {number} */ i) => {
     edgeAt.set(key(a, b), i);
     const length = Math.hypot(points[2 * a] - points[2 * b], points[2 * a + 1] - points[2 * b + 1]);
-    return {a, b, kind: fold.edges_assignment[i], angle: fold.edges_foldAngle[i] * degree, faces: [], piece: -1,
-      join: -1, tab: -1, tabs: [], length};
+    return {a, b, kind: fold.edges_assignment[i], angle: fold.edges_foldAngle[i] * degree,
+      bent: fold["edges_ridgecraft:bent"]?.[i] ?? false, faces: [], piece: -1, join: -1, tab: -1, tabs: [], length};
   });
   const faceEdges = new Int32Array(3 * count);
   /** @type {number[]} */
@@ -237,13 +238,13 @@ export function readNets(text) {
 export const countSeams = (nets, joins) => new Set(joins.map((j) => nets.joins[j].number)).size;
 
 /**
- * Whether a line is drawn there: cuts, and folds that are not too small.
+ * Whether a line is drawn there: cuts, and folds that are not too small; paper that is rolled has none.
  * @param {Nets} nets
  * @param {number} e
  */
 export function hasLine(nets, e) {
   const edge = nets.edges[e];
-  return edge.kind === "B" || (edge.kind !== "F" && Math.abs(edge.angle) >= nets.hiddenAngle);
+  return edge.kind === "B" || (edge.kind !== "F" && !edge.bent && Math.abs(edge.angle) >= nets.hiddenAngle);
 }
 
 /**

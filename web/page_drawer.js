@@ -138,7 +138,7 @@ export class PageDrawer {
           lines.tabs += nets.tabs[t].slit ? "" : this.#path(p, polygon, true);
           lines.cut += this.#path(p, [...polygon.slice(1), polygon[0]], false);
           const angle = folding.tabAngles[t];
-          lines[Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
+          lines[edge.bent || Math.abs(angle) < nets.hiddenAngle ? "base" : angle < 0 ? "mountain" : "valley"] +=
             this.#path(p, [polygon[0], polygon[1]], false);
           bases.push([share(polygon[0]), share(polygon[1])].sort((s, t) => s - t));
         }

@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
+#include "export/sheet/rolled.hpp"
 #include "export/view/camera.hpp"
 #include "job/remark.hpp"
 #include "prepare/prepare.hpp"
@@ -49,10 +50,14 @@ std::string joined(const Clauses& clauses, const std::string& if_none) {
 
 std::string paper_line(const MakeJob& job, const job::Result& made, const GlueFigures& glue) {
   const std::size_t lists = made.drawn.list_pages;
-  return fmt::format("{} on {}{}, {}: {} to cut, {} to fold, {} to glue",
+  const std::size_t rolled =
+      export_::count_rolled_folds(made.prepared, made.nets, made.options.style.hidden_fold_angle);
+  return fmt::format("{} on {}{}, {}: {} to cut, {} to fold{}, {} to glue",
                      counted(made.nets.pieces.size(), "piece"), counted(made.pages.count, "page"),
                      lists == 0 ? "" : fmt::format(" and {} with lists of numbers", lists), job.paper_name,
-                     metres(made.drawn.cut_mm), metres(made.drawn.fold_mm), metres(glue.all_mm));
+                     metres(made.drawn.cut_mm), metres(made.drawn.fold_mm),
+                     rolled == 0 ? "" : fmt::format(" and {} to roll", counted(rolled, "line")),
+                     metres(glue.all_mm));
 }
 
 std::string counted_bodies(std::size_t count) {

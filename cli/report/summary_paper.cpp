@@ -14,6 +14,7 @@
 #include "cli/report/figures.hpp"
 #include "cli/report/net_figures.hpp"
 #include "cli/report/summary.hpp"
+#include "export/sheet/rolled.hpp"
 #include "job/remark.hpp"
 #include "prepare/prepare.hpp"
 #include "unfold/net/chains.hpp"
@@ -274,6 +275,8 @@ Summary summary(const MakeJob& job, const MakeResult& result) {
   summary.add("weak_tab_mm", rounded(glue.weak_mm), "mm");
   summary.add("cut_mm", rounded(made.drawn.cut_mm), Line::lines, "lines", lines_text(made.drawn), "mm");
   summary.add("fold_mm", rounded(made.drawn.fold_mm), "mm");
+  summary.add("rolled_folds",
+              export_::count_rolled_folds(made.prepared, nets, made.options.style.hidden_fold_angle));
   summary.add("index", index_value(model.surface, nets, made.pages, made.drawn));
   add_numbers(summary, made.drawn);
   add_slivers(summary, made);

@@ -52,7 +52,8 @@ Gluing gluing(const Surface& surface, const Nets& nets, const NetFrame& frame) {
   return result;
 }
 
-void write_edges(JsonText& json, const Surface& surface, const NetFrame& frame) {
+void write_edges(JsonText& json, const prepare::Prepared& model, const NetFrame& frame) {
+  const Surface& surface = model.model.surface;
   const auto degrees = [&](std::size_t i) {
     const NetFrame::Edge& edge = frame.edges[i];
     const double angle =
@@ -71,6 +72,11 @@ void write_edges(JsonText& json, const Surface& surface, const NetFrame& frame) 
     json.raw(!frame.edges[i].fold ? "\"B\"" : angle < 0.0 ? "\"M\"" : angle > 0.0 ? "\"V\"" : "\"F\"");
   });
   json.list("edges_foldAngle", frame.edges.size(), [&](std::size_t i) { json.number(degrees(i)); });
+  if (!model.rolls.rolls.empty()) {
+    json.list("edges_ridgecraft:bent", frame.edges.size(), [&](std::size_t i) {
+      json.raw(model.rolls.bends(surface.edge(frame.edges[i].side)) ? "true" : "false");
+    });
+  }
 }
 
 void write_triangle(JsonText& json, const std::array<std::uint32_t, 3>& corners) {
@@ -344,7 +350,7 @@ std::string write_fold(const FoldContents& contents, const Mark& mark) {
   json.key("ridgecraft:up");
   json.string(mesh::axis_name(up.value_or(up_axis_of(model.model))));
   json.list("vertices_coords", frame.points.size(), [&](std::size_t i) { json.point(frame.points[i]); });
-  write_edges(json, surface, frame);
+  write_edges(json, model, frame);
   json.list("faces_vertices", frame.faces.size(),
             [&](std::size_t i) { write_triangle(json, frame.faces[i]); });
   json.list("ridgecraft:faces_model", frame.faces.size(), [&](std::size_t i) { json.number(i); });

@@ -26,7 +26,8 @@ constexpr std::array<std::size_t, 3> many_edges{60, 200, 600};
 /// Shares of the edges to glue that take tweezers, or a strip of paper behind them.
 constexpr std::array<double, 3> many_awkward{0.05, 0.15, 0.3};
 
-prepare::Work work_of(const mesh::Surface& surface, const unfold::Nets& nets, double hidden_fold_angle) {
+prepare::Work work_of(const prepare::Prepared& model, const unfold::Nets& nets, double hidden_fold_angle) {
+  const mesh::Surface& surface = model.model.surface;
   prepare::Work work;
   work.pieces = static_cast<double>(nets.pieces.size());
   const auto add_length = [&](EdgeId edge) {
@@ -44,7 +45,8 @@ prepare::Work work_of(const mesh::Surface& surface, const unfold::Nets& nets, do
     }
   }
   for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
-    if (nets.use[edge] == unfold::EdgeUse::fold && std::abs(surface.fold_angle(edge)) >= hidden_fold_angle) {
+    if (nets.use[edge] == unfold::EdgeUse::fold && !model.rolls.bends(edge) &&
+        std::abs(surface.fold_angle(edge)) >= hidden_fold_angle) {
       add_length(edge);
       work.folds += 1.0;
     }
@@ -54,8 +56,9 @@ prepare::Work work_of(const mesh::Surface& surface, const unfold::Nets& nets, do
 
 }  // namespace
 
-Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets, double hidden_fold_angle) {
-  const prepare::Work work = work_of(surface, nets, hidden_fold_angle);
+Effort effort_of(const prepare::Prepared& model, const unfold::Nets& nets, double hidden_fold_angle) {
+  const mesh::Surface& surface = model.model.surface;
+  const prepare::Work work = work_of(model, nets, hidden_fold_angle);
   Effort effort;
   effort.minutes = prepare::minutes_of(work);
   effort.seam_mm = work.seam_mm;

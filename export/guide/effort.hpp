@@ -14,7 +14,7 @@ namespace ridgecraft::export_ {
 struct Effort {
   double seam_mm = 0.0;  ///< of all joins, each once
   std::size_t joins = 0;
-  std::size_t folds = 0;         ///< edges that are folded by more than the smallest angle with a line
+  std::size_t folds = 0;         ///< edges that are folded along a line
   double median_join_mm = 0.0;   ///< length of the joins: half are shorter
   double smallest_tab_mm = 0.0;  ///< length of the shortest edge with a tab; 0 where there is none
   double minutes = 0.0;          ///< of somebody who has done it before
@@ -22,7 +22,7 @@ struct Effort {
 };
 
 /// O(edges log edges).
-[[nodiscard]] Effort effort_of(const mesh::Surface& surface, const unfold::Nets& nets,
+[[nodiscard]] Effort effort_of(const prepare::Prepared& model, const unfold::Nets& nets,
                                double hidden_fold_angle);
 
 /// "about 40 minutes", "about 3.5 hours", "about 12 hours".

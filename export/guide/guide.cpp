@@ -386,7 +386,7 @@ Guide draw_guide(const GuideSource& source, const Style& style, const Context& c
   guide.title = printable_utf8(model.model.name);
   guide.sheet = guide_sheet(source.pages.paper);
   guide.stance = source.stance;
-  guide.effort = effort_of(model.model.surface, nets, style.hidden_fold_angle);
+  guide.effort = effort_of(model, nets, style.hidden_fold_angle);
   guide.scene = scene_of(model, nets, style.hidden_fold_angle);
   guide.in_colour = model.look != nullptr && style.ink != Ink::lines;
   guide.pale = pale_look();

@@ -118,7 +118,7 @@ Box2 add_net_picture(const GuideModel& guide, PieceId piece, const Box2& frame, 
       const CornerId side = mesh::corner(face, k);
       const EdgeId edge = surface.edge(side);
       if (nets.use[edge] == unfold::EdgeUse::fold && side < surface.twin(side) &&
-          std::abs(surface.fold_angle(edge)) >= guide.hidden_fold_angle) {
+          std::abs(surface.fold_angle(edge)) >= guide.hidden_fold_angle && !guide.model->rolls.bends(edge)) {
         line({flat[k], flat[(k + 1) % 3]}, false, {net_fold_width, net_ink});
       }
     }

@@ -423,8 +423,8 @@ Scene scene_of(const prepare::Prepared& model, const unfold::Nets& nets, double 
   }
   scene.drawn.resize(surface.edge_count());
   for (const EdgeId edge : ids<EdgeId>(surface.edge_count())) {
-    scene.drawn[edge] =
-        nets.use[edge] != unfold::EdgeUse::fold || std::abs(surface.fold_angle(edge)) >= hidden_fold_angle;
+    scene.drawn[edge] = nets.use[edge] != unfold::EdgeUse::fold ||
+                        (std::abs(surface.fold_angle(edge)) >= hidden_fold_angle && !model.rolls.bends(edge));
   }
   return scene;
 }

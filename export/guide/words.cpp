@@ -16,6 +16,7 @@
 #include "base/elementary.hpp"
 #include "base/text.hpp"
 #include "export/sheet/pieces.hpp"
+#include "export/sheet/rolled.hpp"
 #include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::export_ {
@@ -398,6 +399,21 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
     sentences.emplace_back("This closes the body: begin at the longest edge.");
   }
   return sentences;
+}
+
+std::string words_of_rolls(const prepare::Prepared& model, const unfold::Nets& nets,
+                           const AssemblyStep& step) {
+  std::vector<std::string> rolls;
+  for (const RolledPart& part : rolled_parts(model, nets)) {
+    if (is_in(step, part.piece)) {
+      std::string words =
+          nets.pieces[part.piece].name + " round " + round_words(model.rolls.rolls[part.roll]);
+      if (std::find(rolls.begin(), rolls.end(), words) == rolls.end()) {
+        rolls.push_back(std::move(words));
+      }
+    }
+  }
+  return rolls.empty() ? std::string() : fmt::format("Roll {}.", fmt::join(rolls, ", "));
 }
 
 std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,

@@ -12,6 +12,7 @@
 #include "export/sheet/drawing.hpp"
 #include "export/view/camera.hpp"
 #include "mesh/model/surface.hpp"
+#include "prepare/prepared/prepared.hpp"
 #include "unfold/net/nets.hpp"
 
 namespace ridgecraft::export_ {
@@ -49,6 +50,11 @@ std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColu
 [[nodiscard]] std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
                                                       const Assembly& assembly, std::size_t step,
                                                       std::span<const Body> bodies);
+
+/// "Roll C round a pen of 12 mm, D round a tube of 30 mm.": what of the step's pieces is rolled; empty where
+/// nothing is.
+[[nodiscard]] std::string words_of_rolls(const prepare::Prepared& model, const unfold::Nets& nets,
+                                         const AssemblyStep& step);
 
 /// The pieces that stand before the step and are glued to its pieces, ascending.
 [[nodiscard]] std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,

@@ -50,7 +50,7 @@ class PieceDrawer {
   [[nodiscard]] Segment2 side(CornerId c) const { return {corner(c), corner(mesh::next(c))}; }
   [[nodiscard]] Fold fold_of(EdgeId edge) const {
     const double angle = surface_.fold_angle(edge);
-    if (std::abs(angle) < std::max(style_.hidden_fold_angle, flat_angle)) {
+    if (std::abs(angle) < std::max(style_.hidden_fold_angle, flat_angle) || at_.model.rolls.bends(edge)) {
       return Fold::none;
     }
     return angle < 0.0 ? Fold::mountain : Fold::valley;

@@ -37,6 +37,17 @@ struct GlueMark {
   bool named = false;                       ///< its name stands there
 };
 
+/// What of a piece is rolled.
+struct RollMark {
+  /// A point of a bend, where words may stand across it.
+  struct Site {
+    Vec2 at;
+    Vec2 bend;  ///< along it
+  };
+  std::string words;
+  std::vector<Site> sites;  ///< the best first
+};
+
 struct PieceDrawing {
   Group group;
   std::string name;
@@ -50,6 +61,7 @@ struct PieceDrawing {
   std::vector<std::vector<std::size_t>> rims;
   std::vector<std::array<Vec2, 3>> faces;
   std::vector<GlueMark> spots;
+  std::vector<RollMark> rolls;
 };
 
 /// Whether a point lies in a triangle, whose corners run counterclockwise, or on its border.

@@ -140,7 +140,7 @@ class TickMaker {
     const double turn = cosine(before, after);
     const bool same_side = at_[first].side == at_[second].side;
     if (same_side && at_[second].index == at_[first].index + 1) {
-      if (turn > straight_cosine && directions_at(after.edge.a).empty()) {
+      if (turn > straight_cosine && directions_at(after.edge.a).empty() && !has_tick(after.edge.a)) {
         add_tick(after.edge.a, across(before, after), within_chain_tick);
       }
     } else if (same_side ? first != second : before.number != after.number) {
@@ -227,6 +227,12 @@ class TickMaker {
       }
     }
     return directions;
+  }
+
+  [[nodiscard]] bool has_tick(Vec2 p) const {
+    return std::ranges::any_of(piece_.group.lines, [&](const Line& line) {
+      return line.layer == Layer::mark && length(line.points.front() - p) < near_mm;
+    });
   }
 
   void add_tick(Vec2 at, Vec2 direction, double size) {

@@ -16,6 +16,7 @@
 #include "export/page/glue_outlines.hpp"
 #include "export/page/numbers.hpp"
 #include "export/page/obstacles.hpp"
+#include "export/page/roll_marks.hpp"
 #include "export/page/seam_marks.hpp"
 #include "export/style/stroke_font.hpp"
 
@@ -391,6 +392,9 @@ class TextPlacer {
     }
     try_places(before_names);
     place_names(report);
+    for (PieceDrawing& piece : pieces_) {
+      place_roll_words(piece, placer_.obstacles());
+    }
     try_places(after_names);
     std::ranges::stable_partition(wanted_, [](const Wanted& w) { return !needs_none(w); });
     try_places(with_leaders);

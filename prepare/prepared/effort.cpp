@@ -54,7 +54,8 @@ double minutes_of(const Work& work) {
          minutes_per_short_edge * work.short_edges + minutes_per_weak_join * work.weak_joins;
 }
 
-Work expected_work(const mesh::Surface& surface, const Panels& panels, double hidden_fold_angle, double mm) {
+Work expected_work(const mesh::Surface& surface, const Panels& panels, const Rolls& rolls,
+                   double hidden_fold_angle, double mm) {
   double edges = 0.0;
   double length_mm = 0.0;
   Work work;
@@ -65,7 +66,7 @@ Work expected_work(const mesh::Surface& surface, const Panels& panels, double hi
       continue;
     }
     if (panels.panel[mesh::face_of(c)] == panels.panel[mesh::face_of(d)] ||
-        std::abs(surface.fold_angle(e)) < hidden_fold_angle) {
+        std::abs(surface.fold_angle(e)) < hidden_fold_angle || rolls.bends(e)) {
       static_cast<void>(plates.join(mesh::face_of(c).value(), mesh::face_of(d).value()));
       continue;
     }

@@ -5,6 +5,7 @@
 
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/rolls.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -33,9 +34,10 @@ struct Work {
 [[nodiscard]] double minutes_of(const Work& work);
 
 /// Of a surface that is still to be unfolded, `mm` being its unit; folds of less than `hidden_fold_angle`,
-/// radians, are none. A straight fold between two panels must be one edge (remesh_panels). O(n).
-[[nodiscard]] Work expected_work(const mesh::Surface& surface, const Panels& panels, double hidden_fold_angle,
-                                 double mm = 1.0);
+/// radians, are none, and what bends isn't folded. A straight fold between two panels must be one edge
+/// (remesh_panels). O(n).
+[[nodiscard]] Work expected_work(const mesh::Surface& surface, const Panels& panels, const Rolls& rolls,
+                                 double hidden_fold_angle, double mm = 1.0);
 
 /// What a person takes on.
 struct Budget {

@@ -16,6 +16,7 @@
 #include "mesh/model/surface.hpp"
 #include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/rolls.hpp"
 
 namespace ridgecraft::prepare {
 
@@ -88,6 +89,7 @@ struct ToSize {
 struct Prepared {
   mesh::Model model;  ///< in mm, centred on the origin; not turned, not mirrored
   Panels panels;      ///< flat regions of model.surface; those that no page holds in cells that pages hold
+  Rolls rolls;        ///< bands of model.surface that are rolled
   TwinBodies twins;   ///< components that are equal; they are exact copies of each other
   double mm_per_unit = 1.0;
   ToSize from_model;  ///< points that nothing else moved

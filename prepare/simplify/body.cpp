@@ -98,7 +98,7 @@ class Judge {
       : rules_(rules), bodies_(static_cast<double>(1 + copies)) {}
 
   [[nodiscard]] Work work(const mesh::Surface& surface) const {
-    return expected_work(surface, find_panels(surface), rules_.options.hidden_fold_angle);
+    return expected_work(surface, rules_.options);
   }
   [[nodiscard]] double minutes(const Work& work) const { return bodies_ * minutes_of(work); }
   [[nodiscard]] bool allows(const Work& work, std::size_t faces) const {

@@ -162,7 +162,7 @@ void simplify_once(mesh::Model& model, const SimplifyOptions& options, const Mos
 }
 
 Work work_of(const mesh::Model& model, const SimplifyOptions& options) {
-  return expected_work(model.surface, find_panels(model.surface), options.hidden_fold_angle);
+  return expected_work(model.surface, options);
 }
 
 /// The finest model that is not too much, as `too_much` tells by 0, or else the one that is so least, what

@@ -142,6 +142,7 @@ def run(
     skins: Optional[Literal["outer", "middle", "both"]] = None,
     concavity: Optional[Union[float, str]] = None,
     pieces: Optional[Literal["few", "parts", "small"]] = None,
+    rolled: Optional[Literal["auto", "never", "always"]] = None,
     max_faces: Optional[Union[int, str]] = None,
     weigh: Optional[Sequence[str]] = None,
     fold_linear: Optional[bool] = None,
@@ -201,6 +202,8 @@ def run(
     concavity: How far a part may be from convex, as a share of the radius of the model's bounding sphere (0.1).
     pieces: few: as few pieces as paper and overlap allow; parts: those of the model, crumbs joined to their neighbours;
         small: small ones (parts).
+    rolled: Roll walls that are round one way, instead of folding them line by line: where that is less work, never, or
+        wherever the sheet can be bent so, round 3 mm and more (never).
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
         terms: seam=1: a mm of seam to glue; bare=6: a mm of seam without room for a tab; slits=2: a mm of seam that
@@ -250,6 +253,7 @@ def run(
         "skins": skins,
         "concavity": concavity,
         "pieces": pieces,
+        "rolled": rolled,
         "max_faces": max_faces,
         "weigh": weigh,
         "fold_linear": fold_linear,

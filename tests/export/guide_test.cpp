@@ -288,7 +288,7 @@ TEST_CASE("a model of one piece has a guide of one step", "[guide]") {
 TEST_CASE("time and difficulty are those of the formula", "[guide]") {
   const Surface cube = test::cube();
   const auto sample = test::sample_pages(cube, 30.0, 5.0, test::all_edges(cube));
-  const export_::Effort effort = export_::effort_of(sample.model.model.surface, sample.nets, 0.05);
+  const export_::Effort effort = export_::effort_of(sample.model, sample.nets, 0.05);
   // Six squares that are glued along twelve edges of 30 mm, and not folded.
   CHECK(effort.joins == 12);
   CHECK(effort.folds == 0);
@@ -302,12 +302,12 @@ TEST_CASE("time and difficulty are those of the formula", "[guide]") {
     REQUIRE(bare.joins[join].tab.valid());
     bare.joins[join].tab = {};
   }
-  CHECK(export_::effort_of(sample.model.model.surface, bare, 0.05).difficulty == 3);
+  CHECK(export_::effort_of(sample.model, bare, 0.05).difficulty == 3);
   const auto tiny = test::sample_pages(cube, 2.5, 1.0);
-  const export_::Effort fine = export_::effort_of(tiny.model.model.surface, tiny.nets, 0.05);
+  const export_::Effort fine = export_::effort_of(tiny.model, tiny.nets, 0.05);
   CHECK(fine.difficulty == 3);  // few edges, but all of them short
   const auto small = test::sample_pages(cube, 6.5, 1.0);
-  CHECK(export_::effort_of(small.model.model.surface, small.nets, 0.05).difficulty == 1);
+  CHECK(export_::effort_of(small.model, small.nets, 0.05).difficulty == 1);
 }
 
 TEST_CASE("durations and weights of paper in words", "[guide]") {

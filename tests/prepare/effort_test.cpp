@@ -14,7 +14,7 @@ namespace {
 constexpr double hidden = 0.05;
 
 Work work_of(const mesh::Surface& surface, double mm = 1.0) {
-  return prepare::expected_work(surface, prepare::find_panels(surface), hidden, mm);
+  return prepare::expected_work(surface, prepare::find_panels(surface), {}, hidden, mm);
 }
 
 }  // namespace
@@ -36,6 +36,16 @@ TEST_CASE("a small cube has nothing but short edges, and tabs that don't hold", 
   CHECK(work.weak_share() > 0.2);
   CHECK(prepare::excess(work, {}) > 9.0);
   CHECK(prepare::minutes_of(work) > 12.0 * 0.3);
+}
+
+TEST_CASE("what is rolled isn't folded", "[effort]") {
+  const mesh::Surface can = test::revolve({{0, 0}, {30, 0}, {30, 60}, {0, 60}}, 24);
+  const prepare::Panels panels = prepare::find_panels(can);
+  const Work folded = work_of(can);
+  const Work rolled = prepare::expected_work(
+      can, panels, prepare::find_rolls(can, panels, {.which = prepare::Rolled::always}), hidden);
+  CHECK(folded.folds - rolled.folds >= 20.0);
+  CHECK(rolled.folds + rolled.joins == 48.0);  // the rims
 }
 
 TEST_CASE("work doesn't depend on the unit of a surface", "[effort]") {

@@ -147,7 +147,8 @@ TEST_CASE("work is counted at the size that was asked for", "[simplify]") {
     size.largest_extent_mm = size_mm;
     const Prepared p = simplified(test::sphere(120, 60), options, size);
     REQUIRE(p.simplified.faces_after < p.simplified.faces_before);
-    const prepare::Work again = prepare::expected_work(p.model.surface, p.panels, options.hidden_fold_angle);
+    const prepare::Work again =
+        prepare::expected_work(p.model.surface, p.panels, p.rolls, options.hidden_fold_angle);
     CHECK(prepare::minutes_of(p.work) == prepare::minutes_of(again));
   }
 }

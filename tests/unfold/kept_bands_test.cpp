@@ -58,6 +58,7 @@ std::size_t count(const EdgeConstraints& constraints, EdgeConstraint constraint)
 
 EdgeConstraints kept(const mesh::Surface& surface, const EdgeConstraints& constraints = {}) {
   unfold::Options options;
+  options.pieces = unfold::rules_of(unfold::PieceMode::parts);
   options.constraints = constraints;
   const prepare::Panels panels = prepare::find_panels(surface);
   const IdVector<FaceId, PartId> part = test::one_part(surface);
@@ -132,6 +133,7 @@ TEST_CASE("a constraint for a rung, or a border of labels across a wall, leaves 
   }
   const prepare::Panels panels = prepare::find_panels(tube);
   unfold::Options options;
+  options.pieces = unfold::rules_of(unfold::PieceMode::parts);
   for (const FaceId f : ids<FaceId>(tube.face_count())) {
     const auto [a, b, c] = tube.vertices(f);
     options.labels.push_back((tube.point(a) + tube.point(b) + tube.point(c)).x > 0.0 ? 1 : 0);

@@ -206,6 +206,8 @@ struct Options {
   /// Per face, or empty: what its author set it apart by, such as its object and its material. A fold where
   /// two of them meet costs something (Weights::borders), so nets rather end there.
   IdVector<FaceId, std::uint32_t> labels = {};
+  /// Per edge, or empty: the band that it is a ruling of (prepare::Rolls::of_edge). Bands stay whole.
+  IdVector<EdgeId, RollId> rolls = {};
   /// Bodies of the surface that get one net each, and copies of it (prepare::Prepared::twins).
   prepare::TwinBodies twins = {};
 };

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -170,24 +172,58 @@ KeptEdges settle_constraints(const mesh::Surface& surface, const prepare::Panels
 
 namespace {
 
+/// A wall that stays a strip: its rungs, which may be several edges each.
+struct Wall {
+  std::vector<EdgeId> rungs;
+  bool closed = false;
+};
+
+PanelId panel_of(const prepare::Panels& panels, CornerId side) {
+  return panels.panel[mesh::face_of(side)];
+}
+
+/// The bands that are rolled, in the order of their numbers.
+std::vector<Wall> rolled_walls(const UnfoldProblem& problem) {
+  std::map<RollId, Wall> walls;
+  for (const EdgeId e : ids<EdgeId>(problem.options.rolls.size())) {
+    if (problem.options.rolls[e].valid()) {
+      walls[problem.options.rolls[e]].rungs.push_back(e);
+    }
+  }
+  std::vector<Wall> result;
+  for (auto& [roll, wall] : walls) {
+    std::set<PanelId> regions;
+    for (const EdgeId e : wall.rungs) {
+      for (const CornerId side : problem.surface.sides(e)) {
+        regions.insert(panel_of(problem.panels, side));
+      }
+    }
+    wall.closed = regions.size() == wall.rungs.size();
+    result.push_back(std::move(wall));
+  }
+  return result;
+}
+
 /// The mean rung of a band that stays a strip, of what its regions have of a rim; divided by Weights::bands.
 constexpr double least_rung_to_rim = 1.1;
 
-/// The rungs of each band as edges; none of bands with a border of labels across them.
-std::vector<std::vector<EdgeId>> edges_of(const mesh::Surface& surface, const Patch& patch,
-                                          const Bands& bands) {
-  std::vector<std::vector<EdgeId>> edges(bands.seam_mm.size());
+/// The wide ones of those that go round.
+std::vector<Wall> wide_walls(const mesh::Surface& surface, const Patch& patch, double weight) {
+  const Bands bands = find_bands(patch);
+  std::vector<Wall> walls(bands.seam_mm.size());
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     if (bands.band[side] != no_index && side < patch.twin[side]) {
-      edges[bands.band[side]].push_back(edge_of(surface, patch, side));
+      walls[bands.band[side]].rungs.push_back(edge_of(surface, patch, side));
     }
   }
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (bands.band[side] != no_index && is_border_of_labels(patch, side)) {
-      edges[bands.band[side]].clear();
+  std::vector<Wall> wide;
+  for (std::size_t band = 0; band < walls.size(); ++band) {
+    if (weight * bands.mean_rung_mm[band] >= least_rung_to_rim * bands.mean_rim_mm[band]) {
+      walls[band].closed = bands.closed[band] != 0;
+      wide.push_back(std::move(walls[band]));
     }
   }
-  return edges;
+  return wide;
 }
 
 class Seams {
@@ -238,43 +274,47 @@ EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& sy
   const mesh::Surface& surface = problem.surface;
   const prepare::Panels& panels = problem.panels;
   const EdgeConstraints& constraints = problem.options.constraints;
-  const Weights& weights = problem.options.pieces.weights;
-  if (weights.bands <= 0.0) {
-    return constraints;
-  }
+  const PieceRules& pieces = problem.options.pieces;
+  std::vector<Wall> walls = rolled_walls(problem);
+  const std::size_t rolls = walls.size();
   std::vector<FaceId> faces;
   for (const FaceId f : ids<FaceId>(surface.face_count())) {
     faces.push_back(f);
   }
   const Patch patch = make_patch(surface, panels, faces, constraints.items(), problem.options.labels.items());
-  const Bands bands = find_bands(patch);
-  if (bands.empty()) {
-    return constraints;
+  if (pieces.mode != PieceMode::few && pieces.weights.bands > 0.0) {
+    for (Wall& wall : wide_walls(surface, patch, pieces.weights.bands)) {
+      walls.push_back(std::move(wall));
+    }
   }
   // The edges of a rung lie between the same two flat regions.
   const auto beside = [&](EdgeId e) -> std::pair<PanelId, PanelId> {
     const auto [c, d] = surface.sides(e);
-    const PanelId a = panels.panel[mesh::face_of(c)];
-    const PanelId b = panels.panel[mesh::face_of(d)];
-    return {std::min(a, b), std::max(a, b)};
+    return std::minmax({panel_of(panels, c), panel_of(panels, d)});
   };
   Seams seams(surface, symmetry);
   EdgeConstraints result =
       constraints.empty() ? EdgeConstraints(surface.edge_count(), EdgeConstraint::none) : constraints;
-  const std::vector<std::vector<EdgeId>> edges = edges_of(surface, patch, bands);
-  for (std::size_t band = 0; band < edges.size(); ++band) {
-    if (edges[band].empty() ||
-        weights.bands * bands.mean_rung_mm[band] < least_rung_to_rim * bands.mean_rim_mm[band] ||
-        std::any_of(edges[band].begin(), edges[band].end(),
-                    [&](EdgeId e) { return result[e] != EdgeConstraint::none; })) {
+  // What crosses a rolled band would fold it.
+  IdVector<PanelId, std::uint8_t> rolled(panels.count(), 0);
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    const Wall& wall = walls[i];
+    const bool free = std::none_of(wall.rungs.begin(), wall.rungs.end(), [&](EdgeId e) {
+      const auto [one, other] = beside(e);
+      return result[e] != EdgeConstraint::none || rolled[one] != 0 || rolled[other] != 0 ||
+             is_border_of_labels(patch, surface.sides(e)[0].value());
+    });
+    if (!free) {
       continue;
     }
-    for (const EdgeId e : edges[band]) {
+    for (const EdgeId e : wall.rungs) {
+      const auto [one, other] = beside(e);
+      rolled[one] = rolled[other] = i < rolls ? 1 : 0;
       result[e] = EdgeConstraint::band;
     }
-    if (bands.closed[band] != 0) {
-      const std::pair<PanelId, PanelId> seam = beside(seams.of(edges[band]));
-      for (const EdgeId e : edges[band]) {
+    if (wall.closed) {
+      const std::pair<PanelId, PanelId> seam = beside(seams.of(wall.rungs));
+      for (const EdgeId e : wall.rungs) {
         result[e] = beside(e) == seam ? EdgeConstraint::none : EdgeConstraint::band;
       }
     }

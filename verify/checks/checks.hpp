@@ -97,6 +97,9 @@ void check_statements(const Case& given, Findings& findings);
 /// The same: what has one number is one row of edges, and chains are rows on both of their pieces, of equal
 /// lengths. O(n log n).
 void check_chains(const Case& given, Findings& findings);
+/// The same: bends are no creases, those at one flat region bend it one way, and none is tighter than paper
+/// can be rolled. O(n α(n)).
+void check_bends(const Case& given, Findings& findings);
 /// The same: pieces that are said to be equal are. O(n log n) for each.
 void check_equal_pieces(const Case& given, Findings& findings);
 /// The same: where the file has an order of assembly, it can be followed. O(n log n).

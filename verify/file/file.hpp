@@ -66,6 +66,7 @@ struct Edge {
   std::array<Index, 2> ends{};
   Assignment assignment = Assignment::cut;
   double angle_deg = 0.0;
+  bool bent = false;  ///< the paper is rolled there; of cut edges: on either side
 };
 
 /// A page without a size has no bounds.

@@ -131,11 +131,13 @@ std::vector<Edge> read_edges(const Json& json) {
   const Json& ends = json.at("edges_vertices");
   const Json& assignments = json.at("edges_assignment");
   const Json& angles = json.at("edges_foldAngle");
+  const auto bent = json.find("edges_ridgecraft:bent");
   std::vector<Edge> edges(ends.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     edges[e].ends = {ends[e][0].get<Index>(), ends[e][1].get<Index>()};
     edges[e].assignment = static_cast<Assignment>(assignments[e].get_ref<const std::string&>()[0]);
     edges[e].angle_deg = angles[e].get<double>();
+    edges[e].bent = bent != json.end() && (*bent)[e].get<bool>();
   }
   return edges;
 }

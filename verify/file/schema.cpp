@@ -318,6 +318,7 @@ Rule file_form() {
                  {"edges_vertices", counting(L::edges, list(ends))},
                  {"edges_assignment", list_as_long_as(L::edges, one_of({"B", "M", "V", "F"}))},
                  {"edges_foldAngle", list_as_long_as(L::edges, number(-180.0, 180.0))},
+                 {"edges_ridgecraft:bent", list_as_long_as(L::edges, one_of({true, false})), Need::optional},
                  {"ridgecraft:pages", counting(L::pages, list(page_form()))},
                  {"ridgecraft:pieces", counting(L::pieces, list(piece_form()))},
                  {"ridgecraft:faces_model", list_as_long_as(L::faces, index_of(L::model_faces))},

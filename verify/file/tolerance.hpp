@@ -37,6 +37,13 @@ constexpr double slit_place_mm = 0.01;
 /// Paper behind a tab: along half of its base it must reach so far, in mm (promise 5); 0.01 less than nets
 /// keep.
 constexpr double least_paper_mm = 1.99;
+/// What is bent more is a crease, in degrees (promise 8).
+constexpr double most_bend_deg = 35.0;
+/// Tighter than this, in mm, paper of 0.2 mm can't be rolled (promise 8); 0.01 less than nets keep.
+constexpr double least_bend_radius_mm = 2.99;
+/// A region that is so many times as wide as the one beside it is flat beside a bend, which counts by as
+/// much.
+constexpr double flat_beside_bend = 3.0;
 /// Narrower pieces can't be cut out, mm.
 constexpr double least_piece_mm = 1.0;
 /// Paper narrower than this doesn't hold what hangs on it, mm, where that is larger than this on either side,

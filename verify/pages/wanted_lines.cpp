@@ -193,8 +193,10 @@ class Collector {
     if (std::abs(angle) < flat_region_fold_deg && !open_[a] && !open_[b]) {
       allow(piece, LineKind::cut, line);
     }
-    add_look(piece, line, look_of(angle, angle_tolerance_deg, hidden_deg_), LineKind::mountain,
-             LineKind::valley);
+    if (!file_.edges[edge].bent) {
+      add_look(piece, line, look_of(angle, angle_tolerance_deg, hidden_deg_), LineKind::mountain,
+               LineKind::valley);
+    }
   }
 
   void add_look(Index piece, const Segment& line, const Way& look, LineKind mountain, LineKind valley) {
@@ -220,7 +222,8 @@ class Collector {
     if (side != none && file_.model.twin[side] != none) {
       fold = model_fold(file_, given_.relations, side);
     }
-    Way look = look_of(fold.angle_deg, fold.tolerance_deg, hidden_deg_);
+    Way look = file_.edges[tab.edge].bent ? Way{.none = true}
+                                          : look_of(fold.angle_deg, fold.tolerance_deg, hidden_deg_);
     if (look.none) {
       allow(piece, LineKind::tab_flat, base);
     }
