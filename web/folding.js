@@ -204,7 +204,8 @@ export class Folding {
         if (edge.kind !== "B" && g !== undefined && !seen.has(g)) {
           seen.add(g);
           queue.push(g);
-          this.hinges[p].push(this.#hinge(g, f, k, edge.angle, slotOf.get(e) ?? -1));
+          // All bends of a piece are one movement of the hand.
+          this.hinges[p].push(this.#hinge(g, f, k, edge.angle, edge.bent ? -1 : slotOf.get(e) ?? -1));
         }
       }
     }

@@ -66,6 +66,47 @@ function spotsOf(nets, triangles) {
   }));
 }
 
+/**
+ * Corners on paper that is rolled, which is shaded as round: `at` in Scene.corners, and the faces around each that the
+ * paper goes on to without a fold, by their angles there.
+ * @param {Nets} nets @param {Triangle[]} triangles
+ */
+function roundCorners(nets, triangles) {
+  const {faces, faceEdges, edges, points} = nets;
+  /** @param {number} f @param {number} v */
+  const angleAt = (f, v) => {
+    const k = [0, 1, 2].find((i) => faces[3 * f + i] === v) ?? 0;
+    const [a, b, c] = [0, 1, 2].map((i) => 2 * faces[3 * f + ((k + i) % 3)]);
+    return Math.abs(Math.atan2(points[c + 1] - points[a + 1], points[c] - points[a]) -
+      Math.atan2(points[b + 1] - points[a + 1], points[b] - points[a]));
+  };
+  /** @type {{at: number, around: {body: number, weight: number}[]}[]} */
+  const corners = [];
+  triangles.forEach(({body, tab}, i) => {
+    for (let k = 0; !tab && k < 3; ++k) {
+      const v = faces[3 * body + k];
+      const around = [body];
+      let bends = false;
+      for (const f of around) {
+        for (let side = 0; side < 3; ++side) {
+          const edge = edges[faceEdges[3 * f + side]];
+          if ((edge.a === v || edge.b === v) && (edge.kind === "F" || (edge.bent && edge.kind !== "B"))) {
+            bends ||= edge.bent;
+            around.push(...edge.faces.filter((g) => !around.includes(g)));
+          }
+        }
+      }
+      if (bends) {
+        corners.push({at: 18 * i + 6 * k + 3, around: around.map((f) => {
+          const angle = angleAt(f, v);
+          return {body: 12 * f + 6, weight: Math.min(angle, 2 * Math.PI - angle)};
+        })});
+      }
+    }
+  });
+  return corners;
+}
+
 export class Scene {
   /**
    * @param {HTMLCanvasElement} canvas which another one stands in for where WebGL 2 fails on it: use the scene's
@@ -106,6 +147,7 @@ export class Scene {
     this.faceTriangles = this.triangles.filter(({tab}) => !tab).length;
     this.flat = Float64Array.from(this.triangles.flatMap(({flat}) => flat.flatMap(([x, y]) => [x, y])));
     this.triangleBody = Int32Array.from(this.triangles.map(({body}) => body));
+    this.round = roundCorners(this.nets, this.triangles);
     this.runs = runsOf(this.nets, this.triangles);
     this.corners = new Float32Array(18 * this.triangles.length);
     this.tints = new Uint8Array(12 * this.triangles.length);
@@ -152,6 +194,13 @@ export class Scene {
           corners[c + 3 + row] = world[b + 6 + row];
         }
       }
+    }
+    for (const {at, around} of this.round) {
+      const normal = [0, 1, 2].map((row) => around.reduce((sum, {body, weight}) => sum + weight * world[body + row], 0));
+      const length = Math.hypot(...normal);
+      normal.forEach((value, row) => {
+        corners[at + row] = value / length;
+      });
     }
   }
 
