@@ -290,8 +290,9 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
     prepared.loose += leave_out_crumbs(prepared.model, holding_mm, context);
     prepared.simplified.faces_after = prepared.model.surface.face_count();
   }
-  if (prepared.simplified.at_its_size && !size.mm_per_unit) {
-    // Collapses move the outermost points, too; the size that was asked for is the finished model's.
+  if ((prepared.simplified.at_its_size || prepared.simplified.deviation_mm > 0.0) && !size.mm_per_unit) {
+    // Collapses and rolled walls move the outermost points, too; the size that was asked for is the finished
+    // model's.
     const Resized resized = resize(prepared.model, size);
     const double factor = resized.mm_per_unit;
     add_to_way(prepared, resized);

@@ -18,7 +18,9 @@
 #include "prepare/panels/regions.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/panels/ruled_strips.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
+#include "prepare/prepared/rolls.hpp"
 #include "prepare/walls/walls.hpp"
 
 namespace ridgecraft::prepare {
@@ -31,6 +33,7 @@ struct RulingRules {
   double short_edge_mm = 0.0;  ///< narrower faces are what lines go for
   double largest_mm = 0.0;     ///< how far the surface may move
   double flat_mm = 0.0;        ///< how far the corners of a face may be from one plane
+  bool rolled = false;         ///< the strip is rolled as it is
 };
 
 struct ChosenRulings {
@@ -53,6 +56,8 @@ constexpr double uneven = 0.05;
 constexpr double widest_arc = 0.135;
 /// ... and by this share where it is narrow all the same: a rounded corner becomes a bevel.
 constexpr double narrow_arc = 0.21;
+/// ... and by this share where the strip is rolled, so that it still is: 12 sides bend by 30 degrees.
+constexpr double rolled_arc = 0.066;
 /// Lines nearer to each other than this share of the short edge needn't all be tried.
 constexpr double close = 0.1;
 /// The surface moves by this share of what it may at most, since more is done to it afterwards, ...
@@ -185,7 +190,8 @@ class RulingChooser {
     const double wide_mm = width(i, j);
     const bool narrow = wide_mm < rules_.short_edge_mm;
     const double off = moved(i, j);
-    const double most = std::min(most_mm_, (narrow ? narrow_arc : widest_arc) * wide_mm);
+    const double arc = rules_.rolled ? rolled_arc : narrow ? narrow_arc : widest_arc;
+    const double most = std::min(most_mm_, arc * wide_mm);
     if (j > i + 1 && (off > most || !is_flat(i, j))) {
       return never;
     }
@@ -448,15 +454,20 @@ constexpr std::size_t too_many_to_thin = 100000;
 /// One round: strips that have nothing to do with each other, those with the narrowest faces first.
 class Round {
  public:
-  Round(const mesh::Model& model, const RulingRules& rules)
+  Round(const mesh::Model& model, const RulingRules& rules, const RollRules& rolled)
       : surface_(model.surface),
         loose_(mesh::take_apart(model)),
-        regions_(surface_, find_panels(surface_), loose_) {
+        panels_(find_panels(surface_)),
+        regions_(surface_, panels_, loose_) {
+    const std::vector<bool> rolls = rolled_regions(rolled);
     const std::vector<Box3> box = mesh::component_bounds(surface_);
     for (RuledStrip& strip : ruled_strips(surface_, regions_, loose_)) {
       const FaceId face(regions_.faces(strip.regions.front().front()).front());
       RulingRules own = rules;
       own.largest_mm = std::min(rules.largest_mm, move_allowed(box[surface_.component(face).value()]));
+      own.rolled = std::all_of(strip.regions.begin(), strip.regions.end(), [&](const auto& across) {
+        return std::all_of(across.begin(), across.end(), [&](std::uint32_t region) { return rolls[region]; });
+      });
       ChosenRulings chosen = choose_rulings(surface_, strip, own);
       if (!chosen.gone.empty()) {
         wishes_.push_back({std::move(strip), std::move(chosen), {}, {}});
@@ -500,6 +511,19 @@ class Round {
     std::vector<std::uint32_t> points;   ///< that go
     std::vector<std::uint32_t> touched;  ///< regions that lose a corner
   };
+
+  /// Of each region, whether a band that is rolled goes through it.
+  [[nodiscard]] std::vector<bool> rolled_regions(const RollRules& rules) const {
+    std::vector<bool> rolled(regions_.count(), false);
+    for (const Roll& roll : find_rolls(surface_, panels_, rules).rolls) {
+      for (const PanelId panel : roll.panels) {
+        for (const FaceId f : panels_.faces[panel]) {
+          rolled[regions_.region(f.value())] = true;
+        }
+      }
+    }
+    return rolled;
+  }
 
   static bool is_tip(const RuledStrip& strip, std::uint32_t point) {
     const auto& first = strip.lines[0].points;
@@ -569,6 +593,7 @@ class Round {
 
   const mesh::Surface& surface_;
   mesh::LooseFaces loose_;
+  Panels panels_;
   PanelRegions regions_;
   std::vector<Wish> wishes_;
 };
@@ -585,7 +610,7 @@ std::size_t thin_rulings(mesh::Model& model, const SimplifyOptions& options, dou
   std::size_t all = 0;
   for (int round = 0; round < most_thinnings; ++round) {
     context.check();
-    const std::size_t lines = Round(model, rules).run(model);
+    const std::size_t lines = Round(model, rules, options.rolls).run(model);
     if (lines == 0) {
       break;
     }

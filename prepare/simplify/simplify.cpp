@@ -15,11 +15,13 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/domains/find_domain.hpp"
+#include "prepare/features/round_rolls.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
 #include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/effort.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/rolls.hpp"
 #include "prepare/simplify/body.hpp"
 #include "prepare/walls/walls.hpp"
 
@@ -139,6 +141,37 @@ double wall_edge(const mesh::Surface& surface, const SimplifyOptions& options) {
   return std::max(options.short_edge_mm, std::sqrt(0.25 * face_mm2));
 }
 
+/// Flat regions between the rulings of what is rolled are walls, too, however low: work that costs nothing
+/// needn't become less. Where their sides along the rims are short on average, they are details as others.
+void add_rolled_walls(const mesh::Surface& surface, const Panels& panels, const SimplifyOptions& options,
+                      Walls& walls) {
+  for (const Roll& roll : find_rolls(surface, panels, options.rolls).rolls) {
+    double area = 0.0;
+    double rulings_mm = 0.0;
+    std::vector<FaceId> faces;
+    for (std::size_t i = 0; i < roll.rulings.size(); ++i) {
+      rulings_mm += surface.length(roll.rulings[i]);
+      if (i > 0 || roll.closed) {
+        const std::vector<FaceId>& bay = panels.faces[roll.panels[i]];
+        faces.insert(faces.end(), bay.begin(), bay.end());
+      }
+    }
+    for (const FaceId f : faces) {
+      area += surface.area(f);
+    }
+    if (area < options.short_edge_mm * rulings_mm) {
+      continue;
+    }
+    for (const FaceId f : faces) {
+      if (walls.of_face[f.value()] == Walls::none) {
+        walls.of_face[f.value()] = static_cast<std::uint32_t>(walls.walls.size());
+        const Vec3 normal = surface.normal(f);
+        walls.walls.push_back({normal, dot(normal, surface.point(surface.vertices(f)[0]))});
+      }
+    }
+  }
+}
+
 /// One attempt: what the options call details goes, and then edges until the model is no more than that.
 void simplify_once(mesh::Model& model, const SimplifyOptions& options, const Most& most,
                    SimplifyReport& report, const Context& context) {
@@ -147,8 +180,9 @@ void simplify_once(mesh::Model& model, const SimplifyOptions& options, const Mos
   const double largest_mm = options.largest_deviation * extent;
   const bool changed = remove_details(model, options, largest_mm, report, context);
   const mesh::LooseFaces all = mesh::take_apart(model);
-  const Walls walls =
-      find_walls(model.surface, find_panels(model.surface), wall_edge(model.surface, options));
+  const Panels panels = find_panels(model.surface);
+  Walls walls = find_walls(model.surface, panels, wall_edge(model.surface, options));
+  add_rolled_walls(model.surface, panels, options, walls);
   FundamentalDomain start = fundamental_domain(model, symmetric_within, context);
   const double asymmetry_mm = visible_asymmetry(start.deviation, model);
   const BodyRules rules{all, &walls, sample_spacing * extent, largest_mm, most.minutes, most.faces, options};
@@ -277,6 +311,7 @@ double change_excess(double moved_mm, double extent_mm, const SimplifyOptions& o
 SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, const Context& context) {
   SimplifyReport report;
   report.faces_before = model.surface.face_count();
+  const mesh::Surface before = options.rolls.which == Rolled::never ? mesh::Surface() : model.surface;
   remesh_panels(model, context);
   if (options.mode == Simplification::automatic &&
       (model.surface.face_count() > options.most_faces ||
@@ -287,6 +322,9 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
   }
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
+  }
+  if (options.mode == Simplification::automatic && round_rolls(model, options, context) > 0) {
+    report.deviation_mm = deviation_between(model.surface, before, context);
   }
   report.faces_after = model.surface.face_count();
   return report;
