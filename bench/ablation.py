@@ -69,7 +69,6 @@ STEPS = {
     "details": ("prepare/clean_bodies.cpp", "  const double mm = judged_mm_per_unit(model, size);\n  if (simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};", "  const double mm = judged_mm_per_unit(model, size);\n  if (OUT || simplify.mode == Simplification::keep || !(mm > 0.0)) {\n    return {};"),
     "over_detailed": ("prepare/clean_bodies.cpp", "Simplification::automatic && has_too_many_faces(", "Simplification::automatic && !OUT && has_too_many_faces("),
     "reliefs_of_bodies": ("prepare/clean_bodies.cpp", "    find_reliefs();\n", "    if (!OUT) find_reliefs();\n"),
-    "block_proxies": ("prepare/clean_bodies.cpp", "  if (is_too_much(model.surface, mm, simplify)) {", "  if (!OUT && is_too_much(model.surface, mm, simplify)) {"),
     "reliefs": ("prepare/features/trim_reliefs.cpp", "double height_mm,\n                         const Context& context) {\n", "double height_mm,\n                         const Context& context) {\n  if (OUT) {\n    return 0;\n  }\n"),
     "rulings": ("prepare/features/thin_rulings.cpp", "double largest_mm,\n                         const Context& context) {\n", "double largest_mm,\n                         const Context& context) {\n  if (OUT) {\n    return 0;\n  }\n"),
     "coarser_attempts": ("prepare/simplify/simplify.cpp", "scale < most_detail && left > 0.0;", "scale < (OUT ? 1.1 : most_detail) && left > 0.0;"),

@@ -92,8 +92,7 @@ bool is_tangle(std::size_t faces_of_skin, std::size_t faces_of_bodies) {
 }
 
 bool OneSkin::changed() const {
-  return skin.united > 0 || skin.unseen > 0 || cleanup.left_out.count() > 0 || cleanup.proxies.count > 0 ||
-         cleanup.thin_walls.walls > 0;
+  return skin.united > 0 || skin.unseen > 0 || cleanup.left_out.count() > 0 || cleanup.thin_walls.walls > 0;
 }
 
 /// What is too small is judged at the size that is given. Throws Error(interrupted), Error(out_of_time).
@@ -213,7 +212,6 @@ bool are_equal(const mesh::Surface& a, const mesh::Surface& b) {
 
 /// Lengths on paper that were measured at another size.
 void rescale(prepare::CleanupReport& cleanup, double factor) {
-  cleanup.proxies.moved_mm *= factor;
   cleanup.thin_walls.thickness_mm *= factor;
 }
 
@@ -444,8 +442,7 @@ class Run {
   void draw_lost_edges() {
     prepare::Prepared& prepared = made_.prepared;
     const mesh::Relief relief(std::move(*relief_), prepared.from_model.factor, prepared.from_model.shift);
-    const double reach = std::max(
-        {prepared.simplified.deviation_mm, made_.cleanup.proxies.moved_mm, made_.used.simplify.tiny_edge_mm});
+    const double reach = std::max({prepared.simplified.deviation_mm, made_.used.simplify.tiny_edge_mm});
     prepared.lost_edges =
         export_::find_lost_edges(prepared, relief, reach, options_.style.hidden_fold_angle, context_);
   }

@@ -18,7 +18,6 @@
 #include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
-#include "prepare/bodies/block_proxies.hpp"
 #include "prepare/bodies/loose_bodies.hpp"
 #include "prepare/bodies/thin_walls.hpp"
 #include "prepare/prepared/effort.hpp"
@@ -380,22 +379,10 @@ Details leave_out_details(mesh::Model& model, const DetailLimits& limits, const 
 
 /// Details that are hard to fold go, too, where they have this share of the faces of a model with too many.
 constexpr double over_detailed_fraction = 0.2;
-/// What takes the place of a over-detailed body may be so many times as far from it as simplification may
-/// move the surface: as far as that moves it where a model has too many faces.
-constexpr double proxies_may_move = 2.0;
-/// Short edges have this share of the length of a over-detailed body's edges, ...
-constexpr double over_detailed = 0.35;
-
 /// A body whose hold was left out moves by no more than this share of the extent to find another one.
 constexpr double most_moved = 0.06;
 
-/// Whether a model of so many millimetres a unit has to be simplified.
-bool is_too_much(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
-  const Work work = expected_work(surface, simplify, mm);
-  return excess(work, own_budget(simplify)) > 0.0;
-}
-
-/// Whether that is for its sheer number of faces.
+/// Whether a model of so many millimetres a unit is too much work for its number of faces.
 bool has_too_many_faces(const mesh::Surface& surface, double mm, const SimplifyOptions& simplify) {
   const Work work = expected_work(surface, simplify, mm);
   return surface.face_count() > simplify.most_faces || minutes_of(work) > 60.0 * own_budget(simplify).hours;
@@ -441,25 +428,7 @@ CleanupReport clean_bodies(mesh::Model& model, const SizeOptions& size, const Si
   }
   report.thin_walls = merge_thin_walls(model, simplify.skins, simplify.tiny_edge_mm / mm, context);
   report.thin_walls.thickness_mm *= mm;
-  if (model.surface.component_count() < 2) {
-    return report;
-  }
   report.left_out = leave_out_details(model, size, simplify, context);
-  if (simplify.mode != Simplification::automatic) {
-    return report;
-  }
-  SimplifyOptions in_units = simplify;
-  in_units.short_edge_mm /= mm;
-  in_units.tiny_edge_mm /= mm;
-  const double extent = model.surface.bounds().largest_extent();
-  if (is_too_much(model.surface, mm, simplify)) {
-    report.proxies = make_block_proxies(
-        model,
-        {in_units.short_edge_mm, in_units.tiny_edge_mm,
-         proxies_may_move * simplify.largest_deviation * extent, over_detailed, simplify.hidden_fold_angle},
-        context);
-    report.proxies.moved_mm *= mm;
-  }
   return report;
 }
 

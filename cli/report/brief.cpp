@@ -111,9 +111,6 @@ std::string model_line(const MakeJob& job, const job::Result& made) {
   if (made.cleanup.left_out.count() > 0) {
     clauses.push_back(details_text(made.cleanup.left_out) + " left out (--keep-bodies keeps them)");
   }
-  if (made.cleanup.proxies.count > 0) {
-    clauses.push_back(proxies_text(made.cleanup.proxies) + " (--keep-bodies keeps them)");
-  }
   if (skin.united > 0) {
     clauses.push_back(counted_bodies(skin.united) + " made one skin where they meet" +
                       (skin.faces_hidden > 0
@@ -337,16 +334,6 @@ std::string details_text(const prepare::Details& details) {
                           : fmt::format("{} bodies that nothing held any more", details.loose));
   }
   return listed(clauses, "and");
-}
-
-std::string proxies_text(const prepare::BlockProxies& plain) {
-  return plain.count == 1
-             ? fmt::format(
-                   "1 small body with many short edges made a plain block, up to {:.1f} mm away from it",
-                   plain.moved_mm)
-             : fmt::format(
-                   "{} small bodies with many short edges made plain blocks, up to {:.1f} mm away from them",
-                   plain.count, plain.moved_mm);
 }
 
 std::string size_words(const job::Result& made, const std::string& asked) {

@@ -31,9 +31,6 @@ void add_brief(Summary& summary, const MakeJob& job, const MakeResult& result);
 /// "a thin wall of up to 1.2 mm became a sheet".
 [[nodiscard]] std::string thin_walls_text(const prepare::ThinWallReport& sheets);
 
-/// "12 small bodies with many short edges made plain blocks, up to 4.2 mm away from them".
-[[nodiscard]] std::string proxies_text(const prepare::BlockProxies& plain);
-
 /// "17 small bodies and 4 flat bodies that lie on others".
 [[nodiscard]] std::string details_text(const prepare::Details& details);
 

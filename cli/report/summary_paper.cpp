@@ -58,8 +58,6 @@ void add_skin(Summary& summary, const job::Result& made) {
       "left_out",
       Value::Object{
           {"small", details.small}, {"flat", details.flat}, {"low", details.low}, {"loose", details.loose}});
-  const prepare::BlockProxies& plain = made.cleanup.proxies;
-  summary.add("plain", Value::Object{{"count", plain.count}, {"moved_mm", rounded(plain.moved_mm)}});
   const prepare::ThinWallReport& sheets = made.cleanup.thin_walls;
   summary.add("thin_walls",
               Value::Object{{"count", sheets.walls}, {"thickness_mm", rounded(sheets.thickness_mm)}});
@@ -69,9 +67,6 @@ void add_skin(Summary& summary, const job::Result& made) {
   }
   if (details.count() > 0) {
     summary.say(Line::skin, "left out", details_text(details) + " (--keep-bodies leaves them in)");
-  }
-  if (plain.count > 0) {
-    summary.say(Line::skin, "plain", proxies_text(plain) + " (--keep-bodies keeps them)");
   }
   if (skin.united > 0) {
     summary.say(

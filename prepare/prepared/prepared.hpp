@@ -129,13 +129,6 @@ struct Details {
   }
 };
 
-/// Over-detailed bodies replaced by blocks.
-struct BlockProxies {
-  std::size_t count = 0;
-  /// How far a block is from what it stands for, both ways; on paper as far as the size is known.
-  double moved_mm = 0.0;
-};
-
 /// Thin walls that became sheets.
 struct ThinWallReport {
   std::size_t walls = 0;      ///< components
@@ -146,7 +139,6 @@ struct ThinWallReport {
 struct CleanupReport {
   ThinWallReport thin_walls;
   Details left_out;
-  BlockProxies proxies;
 };
 
 /// Pages of a printable area that pieces of so much area fill.
