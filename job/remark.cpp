@@ -97,8 +97,10 @@ std::optional<ShortFolds> short_folds(const prepare::Prepared& prepared, double 
 std::optional<Message> verdict(const prepare::Prepared& prepared, const std::vector<Remedy>& remedies) {
   std::vector<Message> ways;
   for (const Remedy& remedy : remedies) {
-    ways.push_back(
-        Message("with_option", {{"option", remedy.option}, {"hours", fmt::format("{:.1f}", remedy.hours)}}));
+    const char* const code = remedy.kind == RemedyKind::size    ? "other_size"
+                             : remedy.kind == RemedyKind::faces ? "fewer_faces"
+                                                                : "without_name";
+    ways.push_back(Message(code, {{"value", remedy.value}, {"hours", fmt::format("{:.1f}", remedy.hours)}}));
   }
   if (prepare::can_be_folded(prepared)) {
     return ways.empty() ? std::nullopt : std::optional(Message("no_evening", {{"ways", std::move(ways)}}));

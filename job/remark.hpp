@@ -63,9 +63,13 @@ using Listener = std::function<void(const Remark&)>;
 
 // Whether a person could build what comes out, and why not.
 
-/// An option that helps, as it was tried.
+/// What of a job to change.
+enum class RemedyKind { size, faces, without };
+
+/// A change that helps, as it was tried.
 struct Remedy {
-  std::string option;  ///< "--faces 300"
+  RemedyKind kind = RemedyKind::faces;
+  std::string value;   ///< mm of the largest extent, a number of faces, or the name to leave out
   double hours = 0.0;  ///< of work that are expected with it
 };
 

@@ -31,7 +31,10 @@ double hours_of(const prepare::Prepared& prepared) {
 
 /// Two digits, rounded down.
 std::size_t round_number(double faces) {
-  const double step = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(faces, 1.0))) - 1.0));
+  double step = 1.0;
+  while (faces >= 100.0 * step) {
+    step *= 10.0;
+  }
   return static_cast<std::size_t>(step * std::floor(faces / step));
 }
 
@@ -64,14 +67,13 @@ class RemedySearch {
   }
 
  private:
-  /// Whether this option helps; then it is one of the remedies.
-  bool helps(const mesh::Model& model, const UsedOptions& used, const std::string& option) {
+  /// Whether this change helps; then it is one of the remedies.
+  bool helps(const mesh::Model& model, const UsedOptions& used, RemedyKind kind, std::string value) {
     const prepare::Prepared tried = prepare_(model, used);
-    const bool for_size = used.size.largest_extent_mm != used_.size.largest_extent_mm;
-    if (for_size ? !prepare::can_be_folded(tried) : needs_remedies(tried, used)) {
+    if (kind == RemedyKind::size ? !prepare::can_be_folded(tried) : needs_remedies(tried, used)) {
       return false;
     }
-    remedies_.push_back({option, hours_of(tried)});
+    remedies_.push_back({kind, std::move(value), hours_of(tried)});
     return true;
   }
 
@@ -80,7 +82,8 @@ class RemedySearch {
       UsedOptions larger = used_;
       larger.size.mm_per_unit.reset();
       larger.size.largest_extent_mm = *prepared_.smallest_size_mm;
-      static_cast<void>(helps(model_, larger, fmt::format("--size {:.0f}mm", larger.size.largest_extent_mm)));
+      static_cast<void>(
+          helps(model_, larger, RemedyKind::size, fmt::format("{:.0f}", larger.size.largest_extent_mm)));
     }
   }
 
@@ -93,7 +96,7 @@ class RemedySearch {
     for (std::size_t i = 0; i < most_tries; ++i, faces *= fewer_faces) {
       fewer.simplify.faces = round_number(faces);
       if (fewer.simplify.faces < least_faces ||
-          helps(model_, fewer, fmt::format("--faces {}", fewer.simplify.faces))) {
+          helps(model_, fewer, RemedyKind::faces, std::to_string(fewer.simplify.faces))) {
         return;
       }
     }
@@ -107,7 +110,7 @@ class RemedySearch {
         continue;
       }
       if (tries++ == most_tries ||
-          helps(prepare::select(model_, {{}, {part.name}}), used_, "--without '" + part.name + "'")) {
+          helps(prepare::select(model_, {{}, {part.name}}), used_, RemedyKind::without, part.name)) {
         return;
       }
     }

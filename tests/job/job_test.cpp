@@ -66,11 +66,11 @@ TEST_CASE("with an option that a job names its model is the work that the job sa
   options.simplify.budget.hours = 1.0;
   const job::Result made = job::run(sample("penguin.obj"), options, {});
   const auto named = std::ranges::find_if(
-      made.remedies, [](const job::Remedy& remedy) { return remedy.option.starts_with("--faces "); });
+      made.remedies, [](const job::Remedy& remedy) { return remedy.kind == job::RemedyKind::faces; });
   REQUIRE(named != made.remedies.end());
   CHECK(named->hours <= 1.0);
   options.simplify.mode = prepare::Simplification::count;
-  options.simplify.faces = std::stoul(named->option.substr(8));
+  options.simplify.faces = std::stoul(named->value);
   const job::Result other = job::run(sample("penguin.obj"), options, {});
   CHECK(prepare::minutes_of(other.prepared.work) == Approx(60.0 * named->hours).epsilon(0.01));
   CHECK(other.remedies.empty());
