@@ -44,9 +44,9 @@ bool is_too_much(const prepare::Prepared& prepared, const UsedOptions& used) {
 
 class RemedySearch {
  public:
-  RemedySearch(const mesh::Model& model, const prepare::Prepared& prepared, UsedOptions used,
+  RemedySearch(const mesh::Model& model, const prepare::Prepared& prepared, const UsedOptions& used,
                const Preparation& prepare)
-      : model_(model), prepared_(prepared), used_(std::move(used)), prepare_(prepare) {
+      : model_(model), prepared_(prepared), used_(used), prepare_(prepare) {
     used_.size.adapts = false;
     used_.size.largest_extent_mm = prepared.model.surface.bounds().largest_extent();
   }
@@ -130,8 +130,8 @@ bool needs_remedies(const prepare::Prepared& prepared, const UsedOptions& used) 
 }
 
 std::vector<Remedy> find_remedies(const mesh::Model& model, const prepare::Prepared& prepared,
-                                  UsedOptions used, const Preparation& prepare) {
-  return RemedySearch(model, prepared, std::move(used), prepare).find();
+                                  const UsedOptions& used, const Preparation& prepare) {
+  return RemedySearch(model, prepared, used, prepare).find();
 }
 
 }  // namespace ridgecraft::job

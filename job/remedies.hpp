@@ -24,6 +24,6 @@ using Preparation = std::function<prepare::Prepared(mesh::Model model, const Use
 /// `used`: with what `model` was prepared. Seven preparations at most. Throws what `prepare` throws, but for
 /// Error(no_nets) and Error(out_of_time).
 [[nodiscard]] std::vector<Remedy> find_remedies(const mesh::Model& model, const prepare::Prepared& prepared,
-                                                UsedOptions used, const Preparation& prepare);
+                                                const UsedOptions& used, const Preparation& prepare);
 
 }  // namespace ridgecraft::job

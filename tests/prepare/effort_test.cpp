@@ -2,8 +2,12 @@
 // How much work a model is, before it is unfolded and afterwards.
 #include "prepare/prepared/effort.hpp"
 
+#include <catch2/catch.hpp>
+
+#include "prepare/common_models.hpp"
 #include "prepare/prepare.hpp"
 #include "prepare/prepared/panels.hpp"
+#include "prepare/prepared/rolls.hpp"
 #include "support/shapes.hpp"
 
 using namespace ridgecraft;
