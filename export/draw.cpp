@@ -138,7 +138,11 @@ class PageDrawer {
       const Placement& placement = pages_.placements[id];
       PieceDrawing piece = piece_drawing(on_page(id), style_);
       const auto rolled = std::ranges::equal_range(rolled_, id, {}, &RolledPart::piece);
-      add_roll_marks(on_page(id), std::span<const RolledPart>(rolled.begin(), rolled.end()), piece);
+      add_roll_marks(on_page(id),
+                     std::span<const RolledPart>(rolled_).subspan(
+                         static_cast<std::size_t>(rolled.begin() - rolled_.begin()),
+                         static_cast<std::size_t>(rolled.end() - rolled.begin())),
+                     piece);
       add_ticks(piece);
       piece.notes = notes[id];
       report_lines(piece.group, report_);
