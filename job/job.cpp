@@ -442,7 +442,7 @@ class Run {
   void draw_lost_edges() {
     prepare::Prepared& prepared = made_.prepared;
     const mesh::Relief relief(std::move(*relief_), prepared.from_model.factor, prepared.from_model.shift);
-    const double reach = std::max({prepared.simplified.deviation_mm, made_.used.simplify.tiny_edge_mm});
+    const double reach = std::max(prepared.simplified.deviation_mm, made_.used.simplify.tiny_edge_mm);
     prepared.lost_edges =
         export_::find_lost_edges(prepared, relief, reach, options_.style.hidden_fold_angle, context_);
   }

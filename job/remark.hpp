@@ -74,8 +74,8 @@ struct Remedy {
 };
 
 /// "can't be built at 150 mm: 38 % of the folds are shorter than 5 mm; --size 380mm (5.2 hours) can", or "no
-/// evening's work: --faces 300 (3.8 hours) would be"; none where neither is so, or where nothing makes it
-/// one.
+/// evening's work: --faces 300 (3.8 hours) would be"; none for a model that can be folded and has no
+/// remedies.
 [[nodiscard]] std::optional<Message> verdict(const prepare::Prepared& prepared,
                                              const std::vector<Remedy>& remedies);
 

@@ -17,6 +17,7 @@
 namespace ridgecraft::job {
 namespace {
 
+/// Numbers of faces, and names, that are tried at most: each takes as long as all of preparation.
 constexpr std::size_t most_tries = 3;
 /// Of what is tried first and has too much work, this share of the faces is tried next.
 constexpr double fewer_faces = 0.6;
@@ -88,6 +89,7 @@ class RemedySearch {
   }
 
   void try_faces() {
+    // Minutes grow slower than faces, so the share of the hours is a number that may do.
     constexpr double surely_fewer = 0.8;
     double faces = static_cast<double>(prepared_.model.surface.face_count()) *
                    std::min(surely_fewer, used_.simplify.budget.hours / hours_of(prepared_));

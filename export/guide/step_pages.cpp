@@ -298,10 +298,7 @@ class StepPages {
     const double height = grid_.words_height;
     std::vector<std::string> rows;
     std::vector<std::string> sentences =
-        step_sentences(guide_.surface(), *guide_.nets, *guide_.assembly, index, guide_.bodies);
-    if (std::string words = words_of_rolls(*guide_.model, *guide_.nets, steps_[index]); !words.empty()) {
-      sentences.insert(sentences.begin(), std::move(words));
-    }
+        step_sentences(*guide_.model, *guide_.nets, *guide_.assembly, index, guide_.bodies);
     for (const MirrorPair& pair : mirror_pairs(*guide_.nets, steps_[index])) {
       if (std::string words = words_of_sides(guide_.surface(), *guide_.nets, pair, step.camera);
           !words.empty()) {

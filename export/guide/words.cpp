@@ -357,6 +357,24 @@ void add_hard_edges(const mesh::Surface& surface, const unfold::Nets& nets, cons
   }
 }
 
+/// "Roll C round a pen of 12 mm, D round a tube of 30 mm."
+void add_rolls(const prepare::Prepared& model, const unfold::Nets& nets, const AssemblyStep& step,
+               std::vector<std::string>& sentences) {
+  std::vector<std::string> rolls;
+  for (const RolledPart& part : rolled_parts(model, nets)) {
+    if (is_in(step, part.piece)) {
+      std::string words =
+          nets.pieces[part.piece].name + " round " + round_words(model.rolls.rolls[part.roll]);
+      if (std::find(rolls.begin(), rolls.end(), words) == rolls.end()) {
+        rolls.push_back(std::move(words));
+      }
+    }
+  }
+  if (!rolls.empty()) {
+    sentences.push_back(fmt::format("Roll {}.", fmt::join(rolls, ", ")));
+  }
+}
+
 /// Of two pieces one is on the left where they are farther apart than this share of the model.
 constexpr double least_apart_fraction = 0.03;
 
@@ -376,11 +394,13 @@ std::string step_title(const unfold::Nets& nets, const AssemblyStep& step) {
   return words;
 }
 
-std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
+std::vector<std::string> step_sentences(const prepare::Prepared& model, const unfold::Nets& nets,
                                         const Assembly& assembly, std::size_t index,
                                         std::span<const Body> bodies) {
+  const mesh::Surface& surface = model.model.surface;
   const AssemblyStep& step = assembly.steps[index];
   std::vector<std::string> sentences;
+  add_rolls(model, nets, step, sentences);
   if (step.own.empty() && step.joins.empty()) {
     const bool folds = std::any_of(step.pieces.begin(), step.pieces.end(),
                                    [&](PieceId piece) { return !nets.pieces[piece].folding.steps.empty(); });
@@ -399,21 +419,6 @@ std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfo
     sentences.emplace_back("This closes the body: begin at the longest edge.");
   }
   return sentences;
-}
-
-std::string words_of_rolls(const prepare::Prepared& model, const unfold::Nets& nets,
-                           const AssemblyStep& step) {
-  std::vector<std::string> rolls;
-  for (const RolledPart& part : rolled_parts(model, nets)) {
-    if (is_in(step, part.piece)) {
-      std::string words =
-          nets.pieces[part.piece].name + " round " + round_words(model.rolls.rolls[part.roll]);
-      if (std::find(rolls.begin(), rolls.end(), words) == rolls.end()) {
-        rolls.push_back(std::move(words));
-      }
-    }
-  }
-  return rolls.empty() ? std::string() : fmt::format("Roll {}.", fmt::join(rolls, ", "));
 }
 
 std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,

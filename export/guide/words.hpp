@@ -45,16 +45,11 @@ std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColu
 /// "C", "C and D", "C, D, E", "C to N (12)".
 [[nodiscard]] std::string step_title(const unfold::Nets& nets, const AssemblyStep& step);
 
-/// Sentences, in the order in which they are done: "Close 3-5 first.", "Glue to A: 1, 2; to B: 7.", "Hard: 7
-/// (no tab).", "...".
-[[nodiscard]] std::vector<std::string> step_sentences(const mesh::Surface& surface, const unfold::Nets& nets,
-                                                      const Assembly& assembly, std::size_t step,
-                                                      std::span<const Body> bodies);
-
-/// "Roll C round a pen of 12 mm, D round a tube of 30 mm.": what of the step's pieces is rolled; empty where
-/// nothing is.
-[[nodiscard]] std::string words_of_rolls(const prepare::Prepared& model, const unfold::Nets& nets,
-                                         const AssemblyStep& step);
+/// Sentences, in the order in which they are done: "Roll C round a pen of 12 mm.", "Close 3-5 first.", "Glue
+/// to A: 1, 2; to B: 7.", "Hard: 7 (no tab).", "...".
+[[nodiscard]] std::vector<std::string> step_sentences(const prepare::Prepared& model,
+                                                      const unfold::Nets& nets, const Assembly& assembly,
+                                                      std::size_t step, std::span<const Body> bodies);
 
 /// The pieces that stand before the step and are glued to its pieces, ascending.
 [[nodiscard]] std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,

@@ -177,7 +177,7 @@ TEST_CASE("the guide says onto what a body is glued, once", "[glue_outlines]") {
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < assembly.steps.size(); ++i) {
       const std::vector<std::string> sentences =
-          export_::step_sentences(sample.model.model.surface, sample.nets, assembly, i, of);
+          export_::step_sentences(sample.model, sample.nets, assembly, i, of);
       count += std::ranges::count(sentences, sentence);
     }
     return count;
