@@ -21,7 +21,7 @@ namespace {
 /// Lines are looked at in parts of at most this length, mm.
 constexpr double part_mm = 0.5;
 /// Lines that run side by side nearer than this are one to the eye, mm.
-constexpr double apart_mm = 1.0;
+constexpr double apart_mm = 2.0;
 /// What is smaller is a speck, mm.
 constexpr double smallest_mm = 2.0;
 /// Simplification moves an edge that it keeps by up to its deviation, but an edge that is farther away than
