@@ -18,6 +18,7 @@
 #include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/bodies/faces_met.hpp"
 #include "prepare/bodies/loose_bodies.hpp"
 #include "prepare/bodies/thin_walls.hpp"
 #include "prepare/prepared/effort.hpp"
@@ -132,8 +133,8 @@ constexpr std::size_t faces_of_box = 12;
 constexpr double flat = 0.1;
 /// A sheet doesn't lie on what is steeper against it (the cosine of their normals).
 constexpr double steepest = 0.1;
-/// What a wall is larger than its faces, as a share of what is narrow.
-constexpr double side_hair = 0.01;
+/// What a wall is larger than its faces, as a share of twice what is narrow.
+constexpr double side_hair = 0.005;
 /// Details have no more of the model's area together.
 constexpr double most_area = 0.1;
 
@@ -181,60 +182,6 @@ struct Component {
   double area = 0.0;
   Box3 box;
   Kind kind = Kind::body;
-};
-
-/// What sheets may lie on.
-class SheetSupports {
- public:
-  SheetSupports(const mesh::Surface& surface, const std::vector<Component>& components)
-      : surface_(surface),
-        faces_(of_bodies(components)),
-        tree_(
-            faces_.size(), [&](std::uint32_t i) { return surface.bounds(faces_[i]); },
-            [&](std::uint32_t i) { return centre(surface.bounds(faces_[i])); }) {}
-
-  /// Is there a wall between p - way and p + way?
-  [[nodiscard]] bool is_before(Vec3 p, Vec3 way) const {
-    const double hair = side_hair * length(way);
-    Box3 ends;
-    ends.add(p - way);
-    ends.add(p + way);
-    const Box3 box = grown(ends, hair);
-    bool found = false;
-    tree_.search([&](std::uint32_t node) { return !found && meet(box, tree_.box(node)); },
-                 [&](std::uint32_t at) { found = found || meets(faces_[tree_.order()[at]], p, way); });
-    return found;
-  }
-
- private:
-  static std::vector<FaceId> of_bodies(const std::vector<Component>& components) {
-    std::vector<FaceId> faces;
-    for (const Component& c : components) {
-      if (c.kind == Kind::body) {
-        faces.insert(faces.end(), c.faces.begin(), c.faces.end());
-      }
-    }
-    return faces;
-  }
-
-  /// The sides of a face belong to it, with a hair around them.
-  [[nodiscard]] bool meets(FaceId f, Vec3 p, Vec3 way) const {
-    const auto [v0, v1, v2] = surface_.vertices(f);
-    const Vec3 a = surface_.point(v0);
-    const Vec3 normal = surface_.normal(f);
-    const double along = dot(normal, way);
-    const double off = dot(normal, a - p);
-    if (std::abs(along) <= steepest * length(way) || std::abs(off) > std::abs(along)) {
-      return false;
-    }
-    const Vec3 q = p + (off / along) * way;
-    const double hair = side_hair * length(way);
-    return mesh::squared_distance(a, surface_.point(v1), surface_.point(v2), q) <= hair * hair;
-  }
-
-  const mesh::Surface& surface_;
-  std::vector<FaceId> faces_;
-  BoxTree<Box3> tree_;
 };
 
 class DetailSearch {
@@ -297,7 +244,13 @@ class DetailSearch {
     if (std::none_of(components_.begin(), components_.end(), is_sheet)) {
       return;
     }
-    const SheetSupports walls(surface_, components_);
+    std::vector<FaceId> bodies;
+    for (const Component& c : components_) {
+      if (c.kind == Kind::body) {
+        bodies.insert(bodies.end(), c.faces.begin(), c.faces.end());
+      }
+    }
+    const FacesMet walls(surface_, std::move(bodies), side_hair);
     for (Component& c : components_) {
       if (c.kind == Kind::sheet && !lies_on(c, walls)) {
         c.kind = Kind::body;
@@ -329,7 +282,7 @@ class DetailSearch {
   }
 
   /// A pane that fills a hole has a wall all round, but none right behind it.
-  [[nodiscard]] bool lies_on(const Component& sheet, const SheetSupports& walls) const {
+  [[nodiscard]] bool lies_on(const Component& sheet, const FacesMet& walls) const {
     return std::all_of(sheet.faces.begin(), sheet.faces.end(), [&](FaceId f) {
       context_.check();
       const auto [v0, v1, v2] = surface_.vertices(f);
@@ -338,8 +291,13 @@ class DetailSearch {
       const Vec3 p2 = surface_.point(v2);
       const std::array<Vec3, 7> places{
           p0, p1, p2, 0.5 * (p0 + p1), 0.5 * (p1 + p2), 0.5 * (p2 + p0), (p0 + p1 + p2) / 3.0};
-      return std::all_of(places.begin(), places.end(),
-                         [&](Vec3 p) { return walls.is_before(p, limits_.narrow * surface_.normal(f)); });
+      const Vec3 normal = surface_.normal(f);
+      return std::all_of(places.begin(), places.end(), [&](Vec3 p) {
+        return walls
+            .find(p - limits_.narrow * normal, 2.0 * limits_.narrow * normal,
+                  [&](FaceId wall) { return std::abs(dot(surface_.normal(wall), normal)) > steepest; })
+            .has_value();
+      });
     });
   }
 

@@ -11,17 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include "base/boxes.hpp"
 #include "base/disjoint_sets.hpp"
 #include "mesh/model/surface.hpp"
 #include "mesh/model/surface_distance.hpp"
 #include "mesh/repair/loose_faces.hpp"
+#include "prepare/bodies/faces_met.hpp"
+#include "prepare/symmetry/twins.hpp"
 
 namespace ridgecraft::prepare {
 namespace {
 
 /// Skins are parallel when their normals are opposite within 45 degrees (cosine).
 constexpr double opposite = -0.7071067811865476;
+/// Between two faces nothing is seen through, share of the thickness that counts as thin.
+constexpr double face_hair = 1e-6;
 /// A face belongs to a skin if so many of its places have the other one behind them.
 constexpr double most_places = 0.5;
 /// Where two skins meet at an edge as sharp as this there is no rim between them, radians (120 degrees).
@@ -56,67 +59,6 @@ constexpr double few_thin = 0.25;
 /// Places of a face are about as far apart as walls are thin, but no more than so many along a side.
 constexpr double most_steps = 8.0;
 
-/// What lies behind a place of a face: on which face, how far.
-struct Behind {
-  FaceId face;
-  double distance = 0.0;
-};
-
-/// The share of a way from a place of a face at which it meets another face from behind, or infinity.
-double meeting_behind(const mesh::Surface& surface, FaceId from, Vec3 p, Vec3 way, FaceId f) {
-  const Vec3 normal = surface.normal(f);
-  if (f == from || dot(normal, surface.normal(from)) > opposite) {
-    return INFINITY;
-  }
-  const auto [a, b, c] = surface.vertices(f);
-  const double along = dot(normal, way);
-  const double t = dot(normal, surface.point(a) - p) / along;
-  if (along == 0.0 || !(t > 0.0)) {
-    return INFINITY;
-  }
-  const Vec3 q = p + t * way;
-  const double hair = 1e-6 * length(way);
-  const double off = mesh::squared_distance(surface.point(a), surface.point(b), surface.point(c), q);
-  return off <= hair * hair ? t : double{INFINITY};
-}
-
-Box3 box_of_way(Vec3 p, Vec3 way) {
-  Box3 box;
-  box.add(p);
-  box.add(p + way);
-  return box;
-}
-
-class FacesBehind {
- public:
-  FacesBehind(const mesh::Surface& surface, const std::vector<FaceId>& faces)
-      : surface_(surface),
-        faces_(faces),
-        tree_(
-            faces.size(), [&](std::uint32_t i) { return surface.bounds(faces[i]); },
-            [&](std::uint32_t i) { return centre(surface.bounds(faces[i])); }) {}
-
-  /// The nearest face against `from` that is met on the way from p, as far as the way goes.
-  [[nodiscard]] std::optional<Behind> find(Vec3 p, Vec3 way, FaceId from) const {
-    const Box3 box = box_of_way(p, way);
-    std::optional<Behind> nearest;
-    tree_.search([&](std::uint32_t node) { return meet(box, tree_.box(node)); },
-                 [&](std::uint32_t at) {
-                   const FaceId f = faces_[tree_.order()[at]];
-                   const double t = meeting_behind(surface_, from, p, way, f);
-                   if (t <= 1.0 && (!nearest || t * length(way) < nearest->distance)) {
-                     nearest = Behind{f, t * length(way)};
-                   }
-                 });
-    return nearest;
-  }
-
- private:
-  const mesh::Surface& surface_;
-  const std::vector<FaceId>& faces_;
-  BoxTree<Box3> tree_;
-};
-
 /// Places inside a face, spread over it.
 std::vector<Vec3> places_of(const mesh::Surface& surface, FaceId f, double spacing) {
   const auto [a, b, c] = surface.vertices(f);
@@ -140,7 +82,12 @@ class ThinWalls {
   /// `number`: of each face its place in its component.
   ThinWalls(const mesh::Surface& surface, const std::vector<FaceId>& faces,
             const IdVector<FaceId, std::uint32_t>& number, double thin, const Context& context)
-      : surface_(surface), faces_(faces), number_(number), thin_(thin), context_(context) {}
+      : surface_(surface),
+        faces_(faces),
+        number_(number),
+        thin_(thin),
+        context_(context),
+        tree_(surface, faces, face_hair) {}
 
   /// One answer for each face; nothing where the component stays as it is.
   [[nodiscard]] std::optional<std::vector<bool>> stays() {
@@ -160,43 +107,28 @@ class ThinWalls {
   [[nodiscard]] const std::vector<double>& thickness() const { return thickness_; }
 
  private:
-  /// A few faces tell of most bodies that they aren't thin. There are few ways and many faces, so it's the
-  /// ways that are put into a tree.
+  /// A few faces tell of most bodies that they aren't thin.
   [[nodiscard]] bool may_have_two_skins() const {
-    struct Way {
-      Vec3 from;
-      Vec3 way;
-      FaceId face;
-      bool meets = false;
-    };
-    std::vector<Way> ways;
+    double thin_area = 0.0;
+    double area = 0.0;
     const std::size_t step = std::max<std::size_t>(1, faces_.size() / few_faces);
     for (std::size_t i = 0; i < faces_.size(); i += step) {
       for (const Vec3 p : places_of(surface_, faces_[i], thin_)) {
-        ways.push_back({p, -thin_ * surface_.normal(faces_[i]), faces_[i]});
+        thin_area += behind(p, faces_[i]) ? surface_.area(faces_[i]) : 0.0;
+        area += surface_.area(faces_[i]);
       }
-    }
-    const auto box_of = [&](std::uint32_t i) { return box_of_way(ways[i].from, ways[i].way); };
-    const BoxTree<Box3> tree(ways.size(), box_of, [&](std::uint32_t i) { return centre(box_of(i)); });
-    for (const FaceId f : faces_) {
-      const Box3 box = surface_.bounds(f);
-      tree.search([&](std::uint32_t node) { return meet(box, tree.box(node)); },
-                  [&](std::uint32_t at) {
-                    Way& way = ways[tree.order()[at]];
-                    way.meets = way.meets || meeting_behind(surface_, way.face, way.from, way.way, f) <= 1.0;
-                  });
-    }
-    double thin_area = 0.0;
-    double area = 0.0;
-    for (const Way& way : ways) {
-      thin_area += way.meets ? surface_.area(way.face) : 0.0;
-      area += surface_.area(way.face);
     }
     return thin_area >= few_thin * area;
   }
 
+  /// What is no farther behind a place of a face than a wall is thin.
+  [[nodiscard]] std::optional<FacesMet::Met> behind(Vec3 p, FaceId f) const {
+    return tree_.find(p, -thin_ * surface_.normal(f), [&](FaceId other) {
+      return other != f && dot(surface_.normal(other), surface_.normal(f)) <= opposite;
+    });
+  }
+
   void look_behind() {
-    const FacesBehind tree(surface_, faces_);
     behind_.resize(faces_.size());
     thickness_.assign(faces_.size(), 0.0);
     paired_.assign(faces_.size(), false);
@@ -204,9 +136,9 @@ class ThinWalls {
       context_.check();
       const std::vector<Vec3> places = places_of(surface_, faces_[i], thin_);
       for (const Vec3 p : places) {
-        if (const auto found = tree.find(p, -thin_ * surface_.normal(faces_[i]), faces_[i])) {
+        if (const auto found = behind(p, faces_[i])) {
           behind_[i].push_back(number_[found->face]);
-          thickness_[i] += found->distance;
+          thickness_[i] += found->at * thin_;
         }
       }
       thickness_[i] /= std::max<double>(1.0, static_cast<double>(behind_[i].size()));
@@ -391,6 +323,7 @@ class ThinWalls {
   const IdVector<FaceId, std::uint32_t>& number_;
   double thin_;
   const Context& context_;
+  FacesMet tree_;
   std::vector<std::vector<std::uint32_t>> behind_;  ///< per face: what its places have behind them
   std::vector<double> thickness_;                   ///< per face, mean of its places
   std::vector<bool> paired_;                        ///< per face: whether the other skin is behind it
@@ -431,26 +364,19 @@ ThinWallReport merge_thin_walls(mesh::Model& model, Skins skins, double thin, co
   if (skins == Skins::both || !(thin > 0.0)) {
     return report;
   }
+  const std::vector<std::vector<FaceId>> components = prepare::components(surface);
   IdVector<FaceId, std::uint32_t> number(surface.face_count());
-  std::vector<std::vector<FaceId>> components(surface.component_count());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    std::vector<FaceId>& faces = components[surface.component(f).value()];
-    number[f] = static_cast<std::uint32_t>(faces.size());
-    faces.push_back(f);
+  for (const std::vector<FaceId>& faces : components) {
+    for (std::uint32_t i = 0; i < faces.size(); ++i) {
+      number[faces[i]] = i;
+    }
   }
   std::vector<bool> kept(surface.face_count(), true);
   IdVector<FaceId, double> thickness(surface.face_count(), 0.0);
-  const auto is_large = [&](const std::vector<FaceId>& faces) {
-    Box3 box;
-    for (const FaceId f : faces) {
-      for (const VertexId v : surface.vertices(f)) {
-        box.add(surface.point(v));
-      }
-    }
-    return box.largest_extent() >= least_extent * surface.bounds().largest_extent();
-  };
-  for (const std::vector<FaceId>& faces : components) {
-    if (!is_large(faces)) {
+  const std::vector<Box3> boxes = mesh::component_bounds(surface);
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    const std::vector<FaceId>& faces = components[c];
+    if (boxes[c].largest_extent() < least_extent * surface.bounds().largest_extent()) {
       continue;
     }
     ThinWalls walls(surface, faces, number, thin, context);
