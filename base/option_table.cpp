@@ -348,7 +348,6 @@ std::vector<OptionGroup> option_groups() {
        "bare=6: a mm of seam without room for a tab;\n"
        "slits=2: a mm of seam that hardly opens;\n"
        "mirror=1.5: a mm of seam whose image, mirrored or turned, is none;\n"
-       "bands=1: a mm of seam across a strip that goes round, beyond its first seam;\n"
        "open=0.1: a mm of seam on smooth places;\n"
        "borders=0.7: a mm of fold where colours, materials or objects of the model meet;\n"
        "compact=5: a cm2 inside a piece's hull that is no paper;\n"

@@ -207,12 +207,11 @@ def run(
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
         terms: seam=1: a mm of seam to glue; bare=6: a mm of seam without room for a tab; slits=2: a mm of seam that
-        hardly opens; mirror=1.5: a mm of seam whose image, mirrored or turned, is none; bands=1: a mm of seam across a
-        strip that goes round, beyond its first seam; open=0.1: a mm of seam on smooth places; borders=0.7: a mm of fold
-        where colours, materials or objects of the model meet; compact=5: a cm2 inside a piece's hull that is no paper;
-        outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a mm by which what hangs on a neck is
-        wider than three times the neck; pieces=360: a piece; parts=50: a further part in a piece; small=1200: a piece
-        under 30 mm; panels=800: the square of a piece's flat faces, over 80.
+        hardly opens; mirror=1.5: a mm of seam whose image, mirrored or turned, is none; open=0.1: a mm of seam on
+        smooth places; borders=0.7: a mm of fold where colours, materials or objects of the model meet; compact=5: a cm2
+        inside a piece's hull that is no paper; outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a
+        mm by which what hangs on a neck is wider than three times the neck; pieces=360: a piece; parts=50: a further
+        part in a piece; small=1200: a piece under 30 mm; panels=800: the square of a piece's flat faces, over 80.
     fold_linear: For sheets that fold themselves: every piece folds up with all creases moving together and no face
         running through another; pieces are split where no net does.
     unite: the contrary of keep_bodies.

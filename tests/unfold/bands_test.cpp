@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which strips of flat regions are found to go round.
-#include "unfold/energy/bands.hpp"
+#include "unfold/pieces/bands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +15,15 @@ using namespace ridgecraft;
 
 namespace {
 
-unfold::Bands bands_of(const mesh::Surface& surface) {
+std::vector<unfold::Band> bands_of(const mesh::Surface& surface) {
   return unfold::find_bands(test::whole_patch(surface, prepare::find_panels(surface)));
 }
 
 /// How many edges are rungs of each band.
-std::vector<std::size_t> rungs_of(const unfold::Bands& bands) {
-  std::vector<std::size_t> count(bands.seam_mm.size(), 0);
-  for (const std::uint32_t band : bands.band) {
-    if (band != no_index) {
-      ++count[band];
-    }
-  }
-  for (std::size_t& sides : count) {
-    sides /= 2;
+std::vector<std::size_t> rungs_of(const std::vector<unfold::Band>& bands) {
+  std::vector<std::size_t> count;
+  for (const unfold::Band& band : bands) {
+    count.push_back(band.rungs.size());
   }
   return count;
 }
@@ -43,8 +38,8 @@ TEST_CASE("the walls of a turned body are bands, its ends and cones are none", "
   // A disk, a wall that widens, a straight one, and a cone.
   const auto bands = bands_of(test::revolve({{0, 0}, {10, 0}, {15, 30}, {15, 50}, {0, 70}}, 9));
   CHECK(rungs_of(bands) == std::vector<std::size_t>{9, 9});
-  CHECK(bands.seam_mm[0] == Approx(std::hypot(5.0, 30.0)));
-  CHECK(bands.seam_mm[1] == Approx(20.0));
+  CHECK(bands[0].mean_rung_mm == Approx(std::hypot(5.0, 30.0)));
+  CHECK(bands[1].mean_rung_mm == Approx(20.0));
 }
 
 TEST_CASE("a wall of fewer than five regions is none", "[bands]") {
@@ -54,7 +49,7 @@ TEST_CASE("a wall of fewer than five regions is none", "[bands]") {
   CHECK(rungs_of(bands_of(test::revolve(prism, 5))) == std::vector<std::size_t>{5});
 }
 
-TEST_CASE("a wall that is open at both ends is one, and one with a slit has no seam", "[bands]") {
+TEST_CASE("a wall that is open at both ends is one, and one with a slit, too", "[bands]") {
   const mesh::Surface tube = test::revolve({{10, 0}, {10, 40}}, 8);
   CHECK(rungs_of(bands_of(tube)) == std::vector<std::size_t>{8});
   const prepare::Panels panels = prepare::find_panels(tube);
@@ -65,11 +60,10 @@ TEST_CASE("a wall that is open at both ends is one, and one with a slit has no s
     }
   }
   REQUIRE(faces.size() == 14);
-  const unfold::Bands slit = unfold::find_bands(unfold::make_patch(tube, panels, faces));
+  const std::vector<unfold::Band> slit = unfold::find_bands(unfold::make_patch(tube, panels, faces));
   CHECK(rungs_of(slit) == std::vector<std::size_t>{6});
-  CHECK(slit.closed == std::vector<std::uint8_t>{0});
-  CHECK(slit.seam_mm == std::vector<double>{0.0});
-  CHECK(bands_of(tube).closed == std::vector<std::uint8_t>{1});
+  CHECK(!slit[0].closed);
+  CHECK(bands_of(tube)[0].closed);
   // Half a tube goes round, less doesn't.
   const auto share = [&](std::size_t regions) {
     std::vector<FaceId> some;
@@ -95,8 +89,8 @@ TEST_CASE("of bands that cross the one with the longer rungs counts, and each re
   // Around the section the rungs are chords of the large circle, shorter than the section's sides.
   REQUIRE(chord(30.0, 20) < chord(12.0, 6));
   CHECK(rungs_of(bands) == std::vector<std::size_t>(6, 20));
-  for (const double rung : bands.seam_mm) {
-    CHECK(rung == Approx(chord(12.0, 6)));
+  for (const unfold::Band& band : bands) {
+    CHECK(band.mean_rung_mm == Approx(chord(12.0, 6)));
   }
 }
 
@@ -104,7 +98,7 @@ TEST_CASE("bands don't depend on how the model is turned, nor on its size", "[ba
   const mesh::Surface body = test::revolve({{0, 0}, {10, 0}, {15, 30}, {0, 30}}, 12);
   const auto bands = bands_of(body);
   const auto larger = bands_of(test::scaled(body, 10.0));
-  CHECK(larger.band == bands.band);
-  REQUIRE(larger.seam_mm.size() == 1);
-  CHECK(larger.seam_mm[0] == Approx(10.0 * bands.seam_mm[0]));
+  REQUIRE(larger.size() == 1);
+  CHECK(larger[0].rungs == bands[0].rungs);
+  CHECK(larger[0].mean_rung_mm == Approx(10.0 * bands[0].mean_rung_mm));
 }

@@ -103,7 +103,7 @@ struct CostExample {
 
 TEST_CASE("what a swap changes is what counting afresh shows", "[energy]") {
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
-    // The third one is open: it has seams. The fourth has bands.
+    // The third one is open: it has seams. The fourth is a solid of revolution.
     CostExample example = seed == 4 ? CostExample(turned(), seed, 0) : CostExample(seed, seed == 3 ? 20 : 0);
     example.pair_edges(seed);
     CutCosts costs = example.costs({});
@@ -193,34 +193,4 @@ TEST_CASE("mirror images that count more cost what a greater weight would", "[en
   CHECK(plain.total() == Approx(weighed.total()));
   plain.weigh_images(1.0);
   CHECK(plain.total() == Approx(once));
-}
-
-TEST_CASE("a band that is parted more than once costs the cuts beyond its longest", "[energy]") {
-  CostExample example(turned(), 5, 0);
-  unfold::Weights alone{};
-  alone.bare = alone.slits = alone.mirror = alone.open = alone.bands = 0.0;
-  unfold::Weights banded = alone;
-  banded.bands = 1.0;
-  CutCosts lengths = example.costs(alone);
-  CutCosts costs = example.costs(banded);
-  const unfold::Bands bands = unfold::find_bands(example.patch);
-  REQUIRE(bands.seam_mm.size() == 4);
-  Random random(5);
-  for (int tree = 0; tree < 5; ++tree) {
-    const Folds folds = test::random_tree(example.patch, random);
-    std::vector<double> cut(bands.seam_mm.size(), 0.0);
-    for (std::uint32_t side = 0; side < example.patch.twin.size(); ++side) {
-      if (folds[side] == 0 && side < example.patch.twin[side] && bands.band[side] != no_index) {
-        cut[bands.band[side]] += example.patch.length[side];
-      }
-    }
-    double more = 0.0;
-    for (std::size_t band = 0; band < cut.size(); ++band) {
-      more += std::max(0.0, cut[band] - bands.seam_mm[band]);
-    }
-    lengths.set_tree(folds);
-    costs.set_tree(folds);
-    CHECK(costs.total() == Approx(lengths.total() + more));
-    CHECK(more > 0.0);
-  }
 }

@@ -140,7 +140,7 @@ double measure(const Model& model, const Nets& nets, std::string_view term) {
   unfold::CutCosts cuts(patch, facts, weights);
   cuts.set_tree(folds);
   double sum = cuts.total();
-  for (const std::string_view counted : {"seam", "open", "borders", "slits", "bands"}) {
+  for (const std::string_view counted : {"seam", "open", "borders", "slits"}) {
     *unfold::weight_named(weights, counted) = 0.0;
   }
   for (const unfold::Piece& piece : nets.pieces) {

@@ -60,7 +60,6 @@ double seam_price(const Patch& patch, std::uint32_t side, const Weights& weights
 CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& weights)
     : patch_(patch),
       weights_(weights),
-      bands_(weights.bands > 0.0 ? find_bands(patch) : Bands()),
       with_tabs_(!facts.candidates.empty()),
       images_(facts.images),
       across_(facts.across),
@@ -70,8 +69,7 @@ CutCosts::CutCosts(const Patch& patch, const CutFacts& facts, const Weights& wei
       corner_angle_(patch.twin.size()),
       price_(patch.twin.size()),
       needed_(patch.twin.size()),
-      cost_(patch.twin.size()),
-      cut_mm_(bands_.seam_mm.size(), 0.0) {
+      cost_(patch.twin.size()) {
   for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
     const Triangle& t = patch.shape[side / 3];
     const std::uint32_t k = side % 3;
@@ -129,15 +127,6 @@ void CutCosts::set_tree(const Folds& folds) {
       total_ += asymmetry(side);
     }
   }
-  std::fill(cut_mm_.begin(), cut_mm_.end(), 0.0);
-  for (std::uint32_t side = 0; !bands_.empty() && side < patch_.twin.size(); ++side) {
-    if (bands_.band[side] != no_index && join_of(side) == side && cut_[side] != 0) {
-      cut_mm_[bands_.band[side]] += patch_.length[side];
-    }
-  }
-  for (std::uint32_t band = 0; band < cut_mm_.size(); ++band) {
-    total_ += band_cost(band, cut_mm_[band]);
-  }
 }
 
 double CutCosts::price_of_pair(std::uint32_t side, const SideImages& images) const {
@@ -187,35 +176,6 @@ void CutCosts::weigh_images(double times) {
   }
   total_ += (times / images_times_ - 1.0) * uneven;
   images_times_ = times;
-}
-
-/// A band has to be opened once, at its longest rung or a shorter one.
-double CutCosts::band_cost(std::uint32_t band, double cut_mm) const {
-  return weights_.bands * std::max(0.0, cut_mm - bands_.seam_mm[band]);
-}
-
-/// Of the swap that is being rated.
-double CutCosts::change_of_bands() const {
-  if (bands_.empty()) {
-    return 0.0;
-  }
-  const std::uint32_t closed = band_of(changed_cut_);
-  const std::uint32_t opened = band_of(changed_fold_);
-  const double less = changed_cut_ == no_index ? 0.0 : patch_.length[changed_cut_];
-  const double more = changed_fold_ == no_index ? 0.0 : patch_.length[changed_fold_];
-  if (closed == opened) {
-    return closed == no_index
-               ? 0.0
-               : band_cost(closed, cut_mm_[closed] - less + more) - band_cost(closed, cut_mm_[closed]);
-  }
-  double change = 0.0;
-  if (closed != no_index) {
-    change += band_cost(closed, cut_mm_[closed] - less) - band_cost(closed, cut_mm_[closed]);
-  }
-  if (opened != no_index) {
-    change += band_cost(opened, cut_mm_[opened] + more) - band_cost(opened, cut_mm_[opened]);
-  }
-  return change;
 }
 
 CutCosts::Ends CutCosts::ends_of(std::uint32_t side) const {
@@ -326,7 +286,7 @@ double CutCosts::change(std::uint32_t cut, std::uint32_t fold) {
   const double asymmetry_before = asymmetry_of_changed();
   set_cut(cut, 0);
   set_cut(fold, 1);
-  sum_ = asymmetry_of_changed() - asymmetry_before + change_of_bands();
+  sum_ = asymmetry_of_changed() - asymmetry_before;
   note(fold);
   note_neighbours(fold);
   note_behind(changed_cut_);
@@ -349,14 +309,6 @@ void CutCosts::keep() {
   }
   total_ += sum_;
   bare_ += bare_sum_;
-  if (!bands_.empty()) {
-    if (const std::uint32_t closed = band_of(changed_cut_); closed != no_index) {
-      cut_mm_[closed] -= patch_.length[changed_cut_];
-    }
-    if (const std::uint32_t opened = band_of(changed_fold_); opened != no_index) {
-      cut_mm_[opened] += patch_.length[changed_fold_];
-    }
-  }
 }
 
 void CutCosts::drop() {

@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "unfold/energy/bands.hpp"
 #include "unfold/net/options.hpp"
 #include "unfold/patch/patch.hpp"
 #include "unfold/tabs/shape/shapes.hpp"
@@ -48,7 +47,6 @@ struct CutFacts {
 ///   A tab has room when it keeps clear of the two sides of the outline that meet its edge, taken as endless;
 ///   what lies farther off isn't seen. A hundred times as quick as TabState;
 /// - its length where it is a slit: its sides meet in the outline and open by less than 20 degrees (slits);
-/// - its length where it parts a band that is parted elsewhere, but for the longest rung (bands);
 /// - its length where its image is no cut (mirror).
 class CutCosts {
  public:
@@ -106,9 +104,6 @@ class CutCosts {
   [[nodiscard]] std::uint32_t join_of(std::uint32_t side) const {
     return patch_.twin[side] < side ? patch_.twin[side] : side;
   }
-  [[nodiscard]] std::uint32_t band_of(std::uint32_t side) const {
-    return side == no_index ? no_index : bands_.band[side];
-  }
   void set_cut(std::uint32_t side, std::uint8_t cut);
   [[nodiscard]] Ends ends_of(std::uint32_t side) const;
   [[nodiscard]] bool has_room(std::uint32_t side, const Ends& ends) const;
@@ -116,15 +111,12 @@ class CutCosts {
   [[nodiscard]] double price_of_pair(std::uint32_t side, const SideImages& images) const;
   [[nodiscard]] double asymmetry(std::uint32_t side) const;
   [[nodiscard]] double asymmetry_of_changed() const;
-  [[nodiscard]] double band_cost(std::uint32_t band, double cut_mm) const;
-  [[nodiscard]] double change_of_bands() const;
   void note(std::uint32_t side);
   void note_neighbours(std::uint32_t side);
   void note_behind(std::uint32_t join);
 
   const Patch& patch_;
   const Weights weights_;
-  const Bands bands_;
   const bool with_tabs_;
   double images_times_ = 1.0;
   std::span<const SideImages> images_;
@@ -136,7 +128,6 @@ class CutCosts {
   std::vector<double> price_;        ///< per side: as a seam, mm
   std::vector<Angles> needed_;       ///< per side: angles outside the paper that each candidate needs
   std::vector<Cost> cost_;           ///< per join (its smaller side)
-  std::vector<double> cut_mm_;       ///< per band: of its rungs that are cuts
   double total_ = 0.0;
   double bare_ = 0.0;
 

@@ -13,11 +13,11 @@ struct Term {
 };
 constexpr std::array terms{Term{"seam", &Weights::seam},       Term{"bare", &Weights::bare},
                            Term{"slits", &Weights::slits},     Term{"mirror", &Weights::mirror},
-                           Term{"bands", &Weights::bands},     Term{"open", &Weights::open},
-                           Term{"borders", &Weights::borders}, Term{"compact", &Weights::compact},
-                           Term{"outline", &Weights::outline}, Term{"thin", &Weights::thin},
-                           Term{"pieces", &Weights::pieces},   Term{"parts", &Weights::parts},
-                           Term{"small", &Weights::small},     Term{"panels", &Weights::panels}};
+                           Term{"open", &Weights::open},       Term{"borders", &Weights::borders},
+                           Term{"compact", &Weights::compact}, Term{"outline", &Weights::outline},
+                           Term{"thin", &Weights::thin},       Term{"pieces", &Weights::pieces},
+                           Term{"parts", &Weights::parts},     Term{"small", &Weights::small},
+                           Term{"panels", &Weights::panels}};
 
 }  // namespace
 

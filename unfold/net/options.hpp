@@ -57,7 +57,6 @@ struct Weights {
   double bare = 6.0;      ///< each mm of seam without room for a tab that holds
   double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
   double mirror = 1.5;    ///< each mm of seam whose image, mirrored or turned, is none
-  double bands = 1.0;     ///< each mm of seam across a closed strip beyond one
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double borders = 0.7;   ///< each mm of fold where colours or names of the model meet
   double compact = 5.0;   ///< each cm2 of a piece's convex hull that is no paper

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/disjoint_sets.hpp"
-#include "unfold/energy/bands.hpp"
 #include "unfold/patch/patch.hpp"
+#include "unfold/pieces/bands.hpp"
 #include "unfold/pieces/symmetry.hpp"
 
 namespace ridgecraft::unfold {
@@ -204,26 +204,22 @@ std::vector<Wall> rolled_walls(const UnfoldProblem& problem) {
   return result;
 }
 
-/// The mean rung of a band that stays a strip, of what its regions have of a rim; divided by Weights::bands.
+/// The mean rung of a band that stays a strip, of what its regions have of a rim.
 constexpr double least_rung_to_rim = 1.1;
 
 /// The wide ones of those that go round.
-std::vector<Wall> wide_walls(const mesh::Surface& surface, const Patch& patch, double weight) {
-  const Bands bands = find_bands(patch);
-  std::vector<Wall> walls(bands.seam_mm.size());
-  for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
-    if (bands.band[side] != no_index && side < patch.twin[side]) {
-      walls[bands.band[side]].rungs.push_back(edge_of(surface, patch, side));
+std::vector<Wall> wide_walls(const mesh::Surface& surface, const Patch& patch) {
+  std::vector<Wall> walls;
+  for (const Band& band : find_bands(patch)) {
+    if (band.mean_rung_mm >= least_rung_to_rim * band.mean_rim_mm) {
+      Wall& wall = walls.emplace_back();
+      wall.closed = band.closed;
+      for (const std::uint32_t side : band.rungs) {
+        wall.rungs.push_back(edge_of(surface, patch, side));
+      }
     }
   }
-  std::vector<Wall> wide;
-  for (std::size_t band = 0; band < walls.size(); ++band) {
-    if (weight * bands.mean_rung_mm[band] >= least_rung_to_rim * bands.mean_rim_mm[band]) {
-      walls[band].closed = bands.closed[band] != 0;
-      wide.push_back(std::move(walls[band]));
-    }
-  }
-  return wide;
+  return walls;
 }
 
 class Seams {
@@ -274,7 +270,6 @@ EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& sy
   const mesh::Surface& surface = problem.surface;
   const prepare::Panels& panels = problem.panels;
   const EdgeConstraints& constraints = problem.options.constraints;
-  const PieceRules& pieces = problem.options.pieces;
   std::vector<Wall> walls = rolled_walls(problem);
   const std::size_t rolls = walls.size();
   std::vector<FaceId> faces;
@@ -282,8 +277,8 @@ EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& sy
     faces.push_back(f);
   }
   const Patch patch = make_patch(surface, panels, faces, constraints.items(), problem.options.labels.items());
-  if (pieces.mode != PieceMode::few && pieces.weights.bands > 0.0) {
-    for (Wall& wall : wide_walls(surface, patch, pieces.weights.bands)) {
+  if (problem.options.pieces.mode != PieceMode::few) {
+    for (Wall& wall : wide_walls(surface, patch)) {
       walls.push_back(std::move(wall));
     }
   }
