@@ -255,8 +255,13 @@ class Run {
     made_.options = options;
     made_.used = {options.bodies, options.size, options.simplify};
     made_.used.simplify.hidden_fold_angle = options.style.hidden_fold_angle;
-    made_.used.simplify.rolls.least_radius_mm = std::max(
-        prepare::least_paper_radius_mm, prepare::least_radius_to_thickness * options.board.thickness_mm);
+    prepare::RollRules& rolls = made_.used.simplify.rolls;
+    rolls.least_radius_mm = std::max(prepare::least_paper_radius_mm,
+                                     prepare::least_radius_to_thickness * options.board.thickness_mm);
+    if (options.pieces.mode == unfold::PieceMode::few && rolls.which == prepare::Rolled::automatic) {
+      // Bands that stay whole are in the way of nets: each of some models takes a piece more.
+      rolls.which = prepare::Rolled::never;
+    }
     made_.seed = context.seed;
   }
 

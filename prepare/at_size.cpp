@@ -284,7 +284,6 @@ Prepared prepare_at_size(mesh::Model model, const SizeOptions& size, const Simpl
   const mesh::Surface before = prepared.model.surface;
   prepared.simplified = prepare::simplify(prepared.model, simplify, context);
   prepared.simplified.faces_before = faces_before;
-  prepared.simplified.at_its_size = prepared.simplified.faces_after < faces_before;
   if (prepared.simplified.at_its_size) {
     prepared.loose = hold_again(prepared.model, before, {holding_mm, 0.0}, context);
     prepared.loose += leave_out_crumbs(prepared.model, holding_mm, context);

@@ -10,8 +10,11 @@
 
 #include "base/error.hpp"
 #include "prepare/at_size.hpp"
+#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/effort.hpp"
+#include "prepare/prepared/panels.hpp"
 #include "prepare/prepared/prepared.hpp"
+#include "prepare/prepared/rolls.hpp"
 #include "prepare/simplify/simplify.hpp"
 
 namespace ridgecraft::prepare {
@@ -193,8 +196,11 @@ double excess(const Prepared& prepared, const SimplifyOptions& simplify) {
          change_excess(prepared.simplified.deviation_mm, extent_of(prepared), simplify);
 }
 
-Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
-                 const PanelRoom& room, const Context& context) {
+namespace {
+
+/// Of the size that suits it best.
+Prepared prepare_fitting(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
+                         const PanelRoom& room, const Context& context) {
   std::optional<mesh::Model> kept;
   if (model.surface.face_count() <= most_tried_faces) {
     kept = model;
@@ -213,9 +219,68 @@ Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptio
   return prepared;
 }
 
+/// What of a model could be rolled at so many millimetres a unit.
+Rolls possible_rolls(mesh::Model model, const RollRules& rules, double mm, const Context& context) {
+  remesh_panels(model, context);
+  return find_rolls(model.surface, find_panels(model.surface), rules, mm);
+}
+
+/// Whether a model has bands that are rolled, and is less work than without. Sides along a rim are one seam
+/// with one number, so it doesn't count how many of them there are.
+bool is_less_work(const Prepared& rolled, const Prepared& folded) {
+  Work work = rolled.work;
+  work.joins = folded.work.joins;
+  return !rolled.rolls.rolls.empty() && minutes_of(work) < minutes_of(folded.work) &&
+         (can_be_folded(rolled) || !can_be_folded(folded));
+}
+
+/// Prepares a model without rolls, which also settles its size, and then with them.
+template <class Prepare>
+Prepared rolled_or_folded(mesh::Model model, SizeOptions size, const SimplifyOptions& simplify,
+                          const Context& context, const Prepare& prepare) {
+  const RollRules& rules = simplify.rolls;
+  if (rules.which == Rolled::never) {
+    return prepare(std::move(model), size, simplify, false);
+  }
+  SimplifyOptions without = simplify;
+  without.rolls.which = Rolled::never;
+  const double extent = model.surface.bounds().largest_extent();
+  Prepared folded = prepare(mesh::Model(model), size, without, false);
+  if (rules.which == Rolled::automatic) {
+    const Rolls possible = possible_rolls(model, rules, extent_of(folded) / extent, context);
+    folded.rolls.too_tight = possible.too_tight;
+    if (possible.rolls.empty()) {
+      return folded;
+    }
+  }
+  if (size.adapts) {
+    size.largest_extent_mm = extent_of(folded);
+  }
+  Prepared rolled = prepare(std::move(model), size, simplify, true);
+  rolled.size_reason = folded.size_reason;
+  rolled.smallest_size_mm = folded.smallest_size_mm;
+  return rules.which == Rolled::always || is_less_work(rolled, folded) ? std::move(rolled)
+                                                                       : std::move(folded);
+}
+
+}  // namespace
+
+Prepared prepare(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
+                 const PanelRoom& room, const Context& context) {
+  return rolled_or_folded(
+      std::move(model), size, simplify, context,
+      [&](mesh::Model&& from, const SizeOptions& at, const SimplifyOptions& with, bool settled) {
+        return settled ? prepare_at_size(std::move(from), at, with, room, context)
+                       : prepare_fitting(std::move(from), at, with, room, context);
+      });
+}
+
 Prepared prepare_as_asked(mesh::Model model, const SizeOptions& size, const SimplifyOptions& simplify,
                           const PanelRoom& room, const Context& context) {
-  return prepare_at_size(std::move(model), size, simplify, room, context);
+  return rolled_or_folded(std::move(model), size, simplify, context,
+                          [&](mesh::Model&& from, const SizeOptions& at, const SimplifyOptions& with, bool) {
+                            return prepare_at_size(std::move(from), at, with, room, context);
+                          });
 }
 
 }  // namespace ridgecraft::prepare

@@ -66,15 +66,14 @@ struct SimplifyOptions {
   bool part_attached = false;
   /// Folds of less are drawn as no line, so they don't count; radians.
   double hidden_fold_angle = prepare::hidden_fold_angle;
-  RollRules rolls;  ///< bends aren't folded, either
+  RollRules rolls;
 };
 
-/// As expected_work() says, where the panels and what is rolled are still to be found. O(n log n).
+/// As expected_work() says, where the panels are still to be found. What can be rolled counts as if it was
+/// folded: rolling saves work, which isn't spent on more detail. O(n log n).
 [[nodiscard]] inline Work expected_work(const mesh::Surface& surface, const SimplifyOptions& simplify,
                                         double mm = 1.0) {
-  const Panels panels = find_panels(surface);
-  return expected_work(surface, panels, find_rolls(surface, panels, simplify.rolls, mm),
-                       simplify.hidden_fold_angle, mm);
+  return expected_work(surface, find_panels(surface), {}, simplify.hidden_fold_angle, mm);
 }
 
 /// What a model keeps that stays as it is: who asks for less than an evening gets it.

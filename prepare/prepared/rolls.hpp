@@ -47,9 +47,10 @@ struct Rolls {
 /// Each flat region hands on what comes over one ruling to that across from it: of its edges the two that are
 /// longest beside their distance. Rulings in a row turn slowly, and where they run together they go on doing
 /// so; a band with two ends has creases along its rims; the round surface is nowhere farther from the flat
-/// regions than simplification may move it. Less work (Rolled::automatic) is a band whose rims are glued edge
-/// by edge, unless its rulings are so short that flaps on a neighbour would be. A straight fold between two
-/// panels must be one edge (remesh_panels). `mm`: unit of the surface. O(n log n).
+/// regions than simplification may move it. Less work (Rolled::automatic) is a band whose folds take more
+/// time than it costs that it stays one strip: where its rulings are short, flaps on a neighbour have shorter
+/// seams, and a strip with two ends is in the way of others. A straight fold between two panels must be one
+/// edge (remesh_panels). `mm`: unit of the surface. O(n log n).
 [[nodiscard]] Rolls find_rolls(const mesh::Surface& surface, const Panels& panels, const RollRules& rules,
                                double mm = 1.0);
 

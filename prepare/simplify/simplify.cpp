@@ -323,6 +323,7 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
   if (options.mode == Simplification::count && model.surface.face_count() > options.faces) {
     simplify_to_count(model, options, report, context);
   }
+  report.at_its_size = model.surface.face_count() < report.faces_before;
   if (options.mode == Simplification::automatic && round_rolls(model, options, context) > 0) {
     report.deviation_mm = deviation_between(model.surface, before, context);
   }

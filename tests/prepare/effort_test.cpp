@@ -52,6 +52,26 @@ TEST_CASE("what is rolled isn't folded", "[effort]") {
   CHECK(rolled.folds + rolled.joins == 48.0);  // the rims
 }
 
+TEST_CASE("what is rolled is less work than what is folded, and of the same size", "[effort]") {
+  // A vase that is too much work as it is, a pillar of few sides, and one that is better folded.
+  for (const auto& surface :
+       {test::revolve({{0, 0}, {20, 0}, {35, 30}, {15, 60}, {18, 80}, {30, 100}, {12, 130}, {16, 150}}, 90),
+        test::revolve({{0, 0}, {60, 0}, {60, 150}, {0, 150}}, 12),
+        test::revolve({{0, 0}, {60, 0}, {60, 150}, {0, 150}}, 6)}) {
+    prepare::SimplifyOptions options;
+    const auto prepared = [&](prepare::Rolled which) {
+      options.rolls.which = which;
+      return prepare::prepare(test::model_of(surface), {}, options, test::page, {});
+    };
+    const prepare::Prepared folded = prepared(prepare::Rolled::never);
+    const prepare::Prepared best = prepared(prepare::Rolled::automatic);
+    CHECK(best.model.surface.bounds().largest_extent() ==
+          Approx(folded.model.surface.bounds().largest_extent()));
+    CHECK(best.work.folds <= folded.work.folds);
+    CHECK(best.rolls.rolls.empty() == (best.work.folds == folded.work.folds));
+  }
+}
+
 TEST_CASE("work doesn't depend on the unit of a surface", "[effort]") {
   const mesh::Surface sphere = test::sphere(24, 12);
   const Work mm = work_of(test::scaled(sphere, 50.0));

@@ -76,6 +76,20 @@ TEST_CASE("polygons, tight walls and what nobody wants rolled are folded", "[rol
   CHECK(rolls_of(ring, {.which = prepare::Rolled::always}).rolls.size() == 1);
 }
 
+TEST_CASE("a strip with two ends is rolled from so many folds on as it costs", "[rolls]") {
+  const auto arch = [](int regions) {
+    std::vector<Vec2> line;
+    for (int i = 0; i <= regions; ++i) {
+      const double angle = std::numbers::pi * i / 18.0;
+      line.emplace_back(60.0 * std::cos(angle), 60.0 * std::sin(angle));
+    }
+    return wall_over(line, 80.0);
+  };
+  CHECK(rolls_of(arch(5)).rolls.empty());
+  CHECK(rolls_of(arch(5), {.which = prepare::Rolled::always}).rolls.size() == 1);
+  CHECK(rolls_of(arch(6)).rolls.size() == 1);
+}
+
 TEST_CASE("a wall that waves is rolled one way, then the other", "[rolls]") {
   std::vector<Vec2> line;
   for (int i = 0; i <= 40; ++i) {
