@@ -135,8 +135,6 @@ using DoubleLanes = double __attribute__((vector_size(16)));  ///< two
 
 #else
 
-#include "unfold/search/circle_tree.hpp"
-
 namespace ridgecraft::unfold {
 
 using FloatLanes = PortableFloatLanes;
