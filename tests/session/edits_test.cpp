@@ -36,8 +36,9 @@ using session_test::surface_of;
 
 namespace {
 
-/// Cuts and joins at random edges, every third time at one that was cut last. After each one the file is sound, and the way back gives
-/// the bytes from before; so does the way back to the start, and the saved file gives the last ones.
+/// Cuts and joins at random edges, every third time at one that was cut last. After each one the file is
+/// sound, and the way back gives the bytes from before; so does the way back to the start, and the saved file
+/// gives the last ones.
 void edit_at_random(job::Result made, std::uint64_t seed, std::size_t edits) {
   Project project = session::open(std::move(made));
   const mesh::Surface surface = surface_of(project);
