@@ -328,11 +328,11 @@ std::vector<OptionGroup> option_groups() {
        "their neighbours; small: small ones (parts).",
        .setting = "pieces", .noted = Noted::with_pages, .keyword = "pieces",
        .studio = {"pieces", {"How many", "Wie viele"}, {}, {}, false}},
-      {.name = "rolled", .kind = Kind::choice, .usual = "never",
+      {.name = "rolled", .kind = Kind::choice, .usual = "auto",
        .choices = {{"auto", {"where that is less work", "wo das weniger Arbeit ist"}},
                    {"never", {"never", "nie"}}, {"always", {"wherever paper bends so", "wo Papier sich so biegt"}}},
        .help = "Roll walls that are round one way, instead of folding them line by line: where that is less "
-       "work, never, or wherever the sheet can be bent so, round 3 mm and more (never).",
+       "work, never, or wherever the sheet can be bent so, round 3 mm and more (auto; never with --pieces few).",
        .setting = "rolled", .keyword = "rolled",
        .studio = {"pieces", {"Round walls are rolled", "Runde Wände werden gerollt"}}},
       {.name = "max-faces", .kind = Kind::whole, .takes = "N|any",

@@ -40,7 +40,7 @@ export const optionTable = [
   {key: "skins", group: "pieces", kind: "choice", word: "--skins", usual: "outer", choices: ["outer", "middle", "both"], more: true},
   {key: "concavity", group: "pieces", kind: "number", word: "--concavity", usual: "0.1", more: true},
   {key: "pieces", group: "pieces", kind: "choice", word: "--pieces", usual: "parts", choices: ["few", "parts", "small"]},
-  {key: "rolled", group: "pieces", kind: "choice", word: "--rolled", usual: "never", choices: ["auto", "never", "always"], more: true},
+  {key: "rolled", group: "pieces", kind: "choice", word: "--rolled", usual: "auto", choices: ["auto", "never", "always"], more: true},
   {key: "max_faces", group: "pieces", kind: "text", word: "--max-faces", usual: "", more: true},
   {key: "weigh", group: "pieces", kind: "list", word: "--weigh", usual: "", more: true},
   {key: "tabs", group: "tabs", kind: "choice", word: "--tabs", usual: "auto", choices: ["auto", "one-side", "alternate", "both", "slots", "none"]},

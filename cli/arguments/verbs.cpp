@@ -20,6 +20,7 @@ job::Options usual_options() {
   usual.paper = std::nullopt;
   usual.bodies = prepare::Bodies::keep;
   usual.simplify.mode = prepare::Simplification::keep;
+  usual.simplify.rolls.which = prepare::Rolled::never;  // no page says round what
   usual.tabs.wanted = false;
   usual.pieces.trials_per_face = patient_trials_per_face;
   return usual;

@@ -21,7 +21,7 @@ inline constexpr double least_radius_to_thickness = 15.0;
 
 /// What is rolled of a model.
 struct RollRules {
-  Rolled which = Rolled::never;
+  Rolled which = Rolled::automatic;
   double least_radius_mm = least_paper_radius_mm;  ///< of what the model is built of
 };
 

@@ -203,7 +203,7 @@ def run(
     pieces: few: as few pieces as paper and overlap allow; parts: those of the model, crumbs joined to their neighbours;
         small: small ones (parts).
     rolled: Roll walls that are round one way, instead of folding them line by line: where that is less work, never, or
-        wherever the sheet can be bent so, round 3 mm and more (never).
+        wherever the sheet can be bent so, round 3 mm and more (auto; never with pieces few).
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
         terms: seam=1: a mm of seam to glue; bare=6: a mm of seam without room for a tab; slits=2: a mm of seam that

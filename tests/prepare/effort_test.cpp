@@ -108,10 +108,13 @@ TEST_CASE("a model that is too much work gets the faces that its hours allow", "
 TEST_CASE("a model that can be folded stays as it is up to ten hours", "[effort]") {
   // 480 triangles of 12 mm: some seven hours.
   const mesh::Surface sphere = test::sphere(24, 11);
-  const prepare::Prepared kept = prepare::prepare(test::model_of(sphere), {}, {}, {{190.0, 277.0}, 5.0}, {});
+  prepare::SimplifyOptions folded;
+  folded.rolls.which = prepare::Rolled::never;
+  const prepare::Prepared kept =
+      prepare::prepare(test::model_of(sphere), {}, folded, {{190.0, 277.0}, 5.0}, {});
   CHECK(prepare::minutes_of(kept.work) > 240.0);
   CHECK(kept.model.surface.face_count() == sphere.face_count());
-  prepare::SimplifyOptions evening;
+  prepare::SimplifyOptions evening = folded;
   evening.most_own_hours = evening.budget.hours;
   const prepare::Prepared fewer =
       prepare::prepare(test::model_of(sphere), {}, evening, {{190.0, 277.0}, 5.0}, {});
