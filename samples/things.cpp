@@ -156,7 +156,7 @@ Shape torus() {
   Shape shape;
   const Index bright = shape.material("bright", {0.95, 0.78, 0.3});
   const Index dark = shape.material("dark", {0.85, 0.5, 0.2});
-  constexpr int round = 16, tube = 8;
+  constexpr int round = 12, tube = 6;
   std::vector<Vec2> profile;
   for (int i = 0; i <= tube; ++i) {
     const double angle = 2.0 * pi * (i % tube + 0.5) / tube;

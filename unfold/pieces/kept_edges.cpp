@@ -294,17 +294,19 @@ EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& sy
   IdVector<PanelId, std::uint8_t> rolled(panels.count(), 0);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const Wall& wall = walls[i];
+    const bool is_rolled = i < rolls;
+    // Paper of two colours is rolled as well as any; a fold between them may better be a seam.
     const bool free = std::none_of(wall.rungs.begin(), wall.rungs.end(), [&](EdgeId e) {
       const auto [one, other] = beside(e);
       return result[e] != EdgeConstraint::none || rolled[one] != 0 || rolled[other] != 0 ||
-             is_border_of_labels(patch, surface.sides(e)[0].value());
+             (!is_rolled && is_border_of_labels(patch, surface.sides(e)[0].value()));
     });
     if (!free) {
       continue;
     }
     for (const EdgeId e : wall.rungs) {
       const auto [one, other] = beside(e);
-      rolled[one] = rolled[other] = i < rolls ? 1 : 0;
+      rolled[one] = rolled[other] = is_rolled ? 1 : 0;
       result[e] = EdgeConstraint::band;
     }
     if (wall.closed) {

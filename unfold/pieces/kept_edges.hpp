@@ -34,9 +34,9 @@ struct KeptEdges {
 /// of each other one of the surface (pieces/bands.hpp) that is wide: at least 1.1 times as wide as its
 /// regions are long on average. A narrower one may as well hang on a disk in single flaps. Of a band that
 /// goes all the way round one rung stays free, its seam: as near to the mirror plane as any lies, mirrored
-/// where bands are mirrored. Bands with a rung that has a constraint, or where labels meet, are left as they
-/// are, and so is what crosses a band that is rolled. Where pieces are to be few, those that are rolled are
-/// all. O(n log n).
+/// where bands are mirrored. Bands with a rung that has a constraint are left as they are, so are those
+/// that are folded and on which labels meet, and what crosses a band that is rolled. Where pieces are to be
+/// few, those that are rolled are all. O(n log n).
 [[nodiscard]] EdgeConstraints with_bands_kept(const UnfoldProblem& problem, const Symmetry& symmetry);
 
 }  // namespace ridgecraft::unfold
