@@ -234,16 +234,18 @@ bool is_less_work(const Prepared& rolled, const Prepared& folded) {
          (can_be_folded(rolled) || !can_be_folded(folded));
 }
 
-/// Prepares a model without rolls, which also settles its size, and then with them.
+/// Prepares a model without rolls, which also settles its size, and then with them, unless it is too large
+/// for trials.
 template <class Prepare>
 Prepared rolled_or_folded(mesh::Model model, SizeOptions size, const SimplifyOptions& simplify,
                           const Context& context, const Prepare& prepare) {
   const RollRules& rules = simplify.rolls;
-  if (rules.which == Rolled::never) {
-    return prepare(std::move(model), size, simplify, false);
-  }
   SimplifyOptions without = simplify;
   without.rolls.which = Rolled::never;
+  if (rules.which == Rolled::never ||
+      (rules.which == Rolled::automatic && model.surface.face_count() > slow_faces)) {
+    return prepare(std::move(model), size, without, false);
+  }
   const double extent = model.surface.bounds().largest_extent();
   Prepared folded = prepare(mesh::Model(model), size, without, false);
   if (rules.which == Rolled::automatic) {
