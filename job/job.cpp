@@ -259,7 +259,7 @@ class Run {
     rolls.least_radius_mm = std::max(prepare::least_paper_radius_mm,
                                      prepare::least_radius_to_thickness * options.board.thickness_mm);
     if (options.pieces.mode == unfold::PieceMode::few && rolls.which == prepare::Rolled::automatic) {
-      // Bands that stay whole are in the way of nets: each of some models takes a piece more.
+      // Each strip that has to stay whole may cost a piece.
       rolls.which = prepare::Rolled::never;
     }
     made_.seed = context.seed;

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "prepare/prepared/rolls.hpp"
 #include "support/shapes.hpp"
 #include "unfold/nets_checks.hpp"
 #include "unfold/pieces/bands.hpp"
@@ -110,4 +111,21 @@ TEST_CASE("a constraint for a rung, or a border of labels across a wall, leaves 
   }
   const IdVector<FaceId, PartId> part = test::one_part(tube);
   CHECK(count(unfold::with_bands_kept({tube, panels, part, options}, {}), EdgeConstraint::band) == 0);
+}
+
+TEST_CASE("a wall that is rolled is one strip, be it of several colours", "[bands]") {
+  const mesh::Surface can = test::revolve({{0, 0}, {20, 0}, {20, 40}, {0, 40}}, 16);
+  const prepare::Panels panels = prepare::find_panels(can);
+  unfold::Options options;
+  options.pieces = unfold::rules_of(unfold::PieceMode::parts);
+  for (const FaceId f : ids<FaceId>(can.face_count())) {
+    options.labels.push_back(panels.panel[f].value() % 2);
+  }
+  const IdVector<FaceId, PartId> part = test::one_part(can);
+  const auto strips = [&] {
+    return count(unfold::with_bands_kept({can, panels, part, options}, {}), EdgeConstraint::band);
+  };
+  CHECK(strips() == 0);
+  options.rolls = prepare::find_rolls(can, panels, {}).of_edge;
+  CHECK(strips() == 15);
 }
