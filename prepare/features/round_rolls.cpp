@@ -24,8 +24,9 @@
 namespace ridgecraft::prepare {
 namespace {
 
-/// Half the thickness of paper: what is less off is round to the eye and to the finger.
-constexpr double round_mm = 0.1;
+/// The thickness of paper: a tooth that is less off its rim lies on it. Each side of a rim is one, so smaller
+/// sides are more teeth to cut and to glue.
+constexpr double round_mm = 0.2;
 
 /// The point at share t of the arc from a to b on the circle through these and c; c lies beyond one of them.
 Vec3 on_arc(Vec3 a, Vec3 b, Vec3 c, double t) {

@@ -11,7 +11,7 @@
 namespace ridgecraft::prepare {
 
 /// The regions of bands that are rolled (find_rolls) are divided by further rulings, and their rims become
-/// arcs through their corners, until each side of a rim is 0.1 mm off its arc at most, or would be shorter
+/// arcs through their corners, until each side of a rim is 0.2 mm off its arc at most, or would be shorter
 /// than the short edge. What lies beside a rim gets its corners, too: flat regions must lie in the arc's
 /// plane. Regions whose parts would not be flat, and what shares a rim with them, stay. Models are in mm, and
 /// a straight fold between two panels is one edge (remesh_panels). Returns how many rulings there are more.
