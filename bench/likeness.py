@@ -44,3 +44,22 @@ def nearest_faces(points, faces, queries):
         edge = np.minimum(np.minimum(to_segment(p, a, ab), to_segment(p, a, ac)), to_segment(p, b, c - b))
         found[i:i + chunk] = np.where(inside, (r * r).sum(-1), edge).argmin(1)
     return found
+
+
+def distances(points, triangles, queries):
+    """Of each query how far it is from the triangle of the same row."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    n, _ = normals_and_areas(points, triangles)
+    height = np.abs(((queries - a) * n).sum(1))
+
+    def beyond(s, e):
+        return (np.cross(e - s, queries - s) * n).sum(1) < 0.0
+
+    def to_segment(s, e):
+        d = e - s
+        t = np.clip(((queries - s) * d).sum(1) / np.maximum((d * d).sum(1), 1e-300), 0.0, 1.0)
+        return np.linalg.norm(queries - s - t[:, None] * d, axis=1)
+
+    outside = beyond(a, b) | beyond(b, c) | beyond(c, a)
+    edges = np.minimum(np.minimum(to_segment(a, b), to_segment(b, c)), to_segment(c, a))
+    return np.where(outside, edges, height)

@@ -253,17 +253,26 @@ TEST_CASE("tabs that are kept up to date collide with nothing, and moves can be 
       }
     }
   };
+  const auto cuts_without_tab = [&] {
+    double mm = 0.0;
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      mm += state.join_of(side) == side && state.is_cut(side) && !state.has_tab(side) ? patch.length[side]
+                                                                                      : 0.0;
+    }
+    return mm;
+  };
   check_no_collision();
   Random random(13);
   for (int step = 0; step < 120; ++step) {
     const Move move = draw_move(forest, random);
     const auto sides = sides_with_tabs();
-    const double held = state.held_mm();
+    const double bare = state.bare_mm();
+    CHECK(bare == Approx(cuts_without_tab()));
     state.make(move);
     if (step % 3 == 0) {
       state.take_back();
       CHECK(sides_with_tabs() == sides);
-      CHECK(state.held_mm() == Approx(held));
+      CHECK(state.bare_mm() == Approx(bare));
     }
     if (step % 12 == 0) {
       check_no_collision();
@@ -286,6 +295,34 @@ TEST_CASE("the search finds cheaper forests without overlap, the same for a seed
   const std::optional<double> cost = unfold::exact_cost(problem, found);
   REQUIRE(cost);
   CHECK(*cost < 0.95 * unfold::exact_cost(problem, example.folds).value_or(HUGE_VAL));
+}
+
+TEST_CASE("a forest costs its seams, and those without a tab once more", "[forest][energy][tabs]") {
+  const Example example(9, 4);
+  const Patch& patch = example.patch;
+  const unfold::Room anywhere;
+  const unfold::TabOptions tabs;
+  Weights weights;
+  weights.pieces = weights.parts = weights.small = weights.panels = weights.thin = 0.0;
+  weights.compact = weights.outline = weights.slits = weights.mirror = 0.0;
+  const unfold::ForestProblem problem = example.problem(tabs, anywhere, weights);
+  Folds folds = example.folds;
+  Random random(17);
+  for (int step = 0; step < 20; ++step) {
+    Forest forest(patch);
+    forest.set_folds(folds);
+    unfold::TabState state(example.surface, example.panels, patch, forest, tabs);
+    state.renew_all();
+    double mm = 0.0;
+    for (std::uint32_t side = 0; side < patch.twin.size(); ++side) {
+      if (state.join_of(side) == side && state.is_cut(side)) {
+        mm += unfold::seam_price(patch, side, weights) +
+              (state.has_tab(side) ? 0.0 : weights.bare * patch.length[side]);
+      }
+    }
+    CHECK(unfold::exact_cost(problem, folds).value() == Approx(mm));
+    unfold::set_fold(patch, folds, random.below(static_cast<std::uint32_t>(folds.size())), false);
+  }
 }
 
 TEST_CASE("a high price of pieces joins them, a high price of outlines splits them", "[forest][energy]") {

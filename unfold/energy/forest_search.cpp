@@ -116,7 +116,7 @@ struct State {
 
   /// Mm, with the tabs as they are.
   [[nodiscard]] double exact_total() const {
-    return energy.total_without_bare() - (tabs ? bare * tabs->held_mm() : 0.0);
+    return energy.total_without_bare() + (tabs ? bare * tabs->bare_mm() : 0.0);
   }
 
   Forest forest;
@@ -457,9 +457,9 @@ class Search {
       return std::nullopt;
     }
     ++looked_at_;
-    const double before = state_.tabs->held_mm();
+    const double before = state_.tabs->bare_mm();
     state_.tabs->make(move);
-    const double exact = *change - energy_.rated_bare() - state_.bare * (state_.tabs->held_mm() - before);
+    const double exact = *change - energy_.rated_bare() + state_.bare * (state_.tabs->bare_mm() - before);
     if (exact > most) {
       state_.tabs->take_back();
       energy_.drop();

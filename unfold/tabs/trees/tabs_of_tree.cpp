@@ -297,7 +297,7 @@ void TabState::choose(std::uint32_t join, const Choice& choice) {
   const bool has = choice.side != no_index;
   if (had != has) {
     count_.tabs += has ? 1U : static_cast<std::uint32_t>(-1);
-    count_.held_mm += has ? patch_.length[join] : -patch_.length[join];
+    count_.bare_mm += has ? -patch_.length[join] : patch_.length[join];
   }
   chosen_.set(join, choice);
 }
@@ -363,6 +363,7 @@ void TabState::renew_all() {
   ++round_;
   marked_.clear();
   for (std::uint32_t side = 0; side < patch_.twin.size(); ++side) {
+    count_.bare_mm += join_of(side) == side && is_cut(side) ? patch_.length[side] : 0.0;
     mark(side);
   }
   refresh();
@@ -379,6 +380,8 @@ void TabState::make(const Move& move) {
   if (move.closed != no_index && chosen_[join_of(move.closed)].side != no_index) {
     choose(join_of(move.closed), {});
   }
+  count_.bare_mm += (move.opened != no_index ? patch_.length[move.opened] : 0.0) -
+                    (move.closed != no_index ? patch_.length[move.closed] : 0.0);
   const Forest::Carried what = net_.carried(move);
   if (!move.joins()) {
     mark_near(what.faces, what.faces.tree, false);

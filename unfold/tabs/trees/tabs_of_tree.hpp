@@ -101,8 +101,8 @@ class TabState {
 
   /// Cuts with a usable tab.
   [[nodiscard]] std::uint32_t tabs() const { return count_.tabs; }
-  /// Their length, mm: what a search makes as great as it can.
-  [[nodiscard]] double held_mm() const { return count_.held_mm; }
+  /// Length of the cuts without one, mm: what a search makes as small as it can.
+  [[nodiscard]] double bare_mm() const { return count_.bare_mm; }
   [[nodiscard]] bool is_cut(std::uint32_t side) const {
     return patch_.twin[side] == no_index ? targets_.seam[side] != 0
                                          : patch_.frozen[side] == 0 && net_.folds()[side] == 0;
@@ -136,7 +136,7 @@ class TabState {
   };
   struct Count {
     std::uint32_t tabs = 0;
-    double held_mm = 0.0;
+    double bare_mm = 0.0;
   };
   /// What the last move has to know to be taken back, beside the logs.
   struct Undo {
