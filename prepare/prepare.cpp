@@ -39,8 +39,11 @@ constexpr double largest_tried_mm = 1000.0;
 
 /// Of a model that is so many times the hours larger sizes aren't tried: they take as long.
 constexpr double hopeless = 5.0;
-/// A larger size must lessen what is too much by this share to be worth its paper.
+/// A larger size must lessen what is too much by this share to be worth its paper; so little of the budget
+/// that is too much isn't worth any, such as rims that moved by a hundredth of what they may.
 constexpr double worth_paper = 0.2;
+constexpr double unnoticed = 0.05;
+
 double allowed_slivers(const Prepared& prepared) {
   return prepared.simplified.at_its_size ? most_slivers : most_own_slivers;
 }
@@ -83,20 +86,21 @@ class SizeSearch {
     const SizeReason reason = can_be_folded(usual) ? SizeReason::shape : SizeReason::folds;
     double least = excess(usual, simplify_);
     in_time([&] {
-      for_larger(extent, least > 0.0 && !is_hopeless(usual) ? size.largest_mm : 0.0, [&](Prepared found) {
-        tried_.push_back({extent_of(found), can_be_folded(found)});
-        if (pages(found) > size.most_pages) {
-          return false;
-        }
-        const double now = excess(found, simplify_);
-        const bool better = now < (1.0 - worth_paper) * least;
-        if (better) {
-          least = now;
-          usual = std::move(found);
-          usual.size_reason = reason;
-        }
-        return least > 0.0 && (better || !can_be_folded(usual));
-      });
+      for_larger(extent, is_noticed(usual, least) && !is_hopeless(usual) ? size.largest_mm : 0.0,
+                 [&](Prepared found) {
+                   tried_.push_back({extent_of(found), can_be_folded(found)});
+                   if (pages(found) > size.most_pages) {
+                     return false;
+                   }
+                   const double now = excess(found, simplify_);
+                   const bool better = now < (1.0 - worth_paper) * least;
+                   if (better) {
+                     least = now;
+                     usual = std::move(found);
+                     usual.size_reason = reason;
+                   }
+                   return is_noticed(usual, least) && (better || !can_be_folded(usual));
+                 });
     });
     return usual;
   }
@@ -152,6 +156,9 @@ class SizeSearch {
   }
   [[nodiscard]] bool is_hopeless(const Prepared& prepared) const {
     return minutes_of(prepared.work) > hopeless * 60.0 * simplify_.budget.hours;
+  }
+  [[nodiscard]] static bool is_noticed(const Prepared& prepared, double excess) {
+    return excess > unnoticed || !can_be_folded(prepared);
   }
   /// Tries one larger size after another until `go_on`, which gets each, says false.
   template <class GoOn>

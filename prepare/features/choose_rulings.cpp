@@ -108,27 +108,35 @@ class RulingChooser {
   }
   [[nodiscard]] std::size_t points() const { return strip_.lines.front().points.size(); }
 
-  /// Of what a round strip goes around, at its first points: that of a circle is its diameter.
+  /// Of what a round strip goes around where it is thickest: that of a circle is its diameter.
   [[nodiscard]] double thickness() const {
     if (!strip_.round) {
       return never;
     }
-    Vec3 doubled;
-    double around = 0.0;
-    for (std::size_t i = 0; i < count_; ++i) {
-      doubled += cross(at(i, 0) - at(0, 0), at(i + 1, 0) - at(0, 0));
-      around += length(at(i + 1, 0) - at(i, 0));
+    double most = 0.0;
+    for (std::size_t t = 0; t < points(); ++t) {
+      Vec3 doubled;
+      double around = 0.0;
+      for (std::size_t i = 0; i < count_; ++i) {
+        doubled += cross(at(i, t) - at(0, t), at(i + 1, t) - at(0, t));
+        around += length(at(i + 1, t) - at(i, t));
+      }
+      most = around > 0.0 ? std::max(most, 2.0 * length(doubled) / around) : most;  // 0 at a tip
     }
-    return around > 0.0 ? 2.0 * length(doubled) / around : 0.0;
+    return most;
   }
 
-  /// Of a face between two lines: its longest side across.
+  /// Of a face between two lines: its longest side across; of one that is rolled its shortest, as each rim
+  /// has teeth.
   [[nodiscard]] double width(std::size_t i, std::size_t j) const {
     double widest = 0.0;
+    double narrowest = never;
     for (std::size_t t = 0; t < points(); ++t) {
-      widest = std::max(widest, length(at(j, t) - at(i, t)));
+      const double side = length(at(j, t) - at(i, t));
+      widest = std::max(widest, side);
+      narrowest = side > 0.0 ? std::min(narrowest, side) : narrowest;  // but for tips
     }
-    return widest;
+    return rules_.rolled ? std::min(widest, narrowest) : widest;
   }
 
   [[nodiscard]] bool is_flat(std::size_t i, std::size_t j) const {

@@ -15,8 +15,6 @@ namespace ridgecraft::prepare {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-/// A fold of more is a crease that the eye sees and the hand makes.
-constexpr double most_bend = 35.0 * degree;
 /// Flatter is no fold: the contract's limit.
 constexpr double least_bend = 1e-4 * degree;
 /// Two rulings of one flat region lie so at most to each other: those of a low cone of few sides do.
@@ -97,7 +95,7 @@ class RollFinder {
 
   [[nodiscard]] bool may_bend(EdgeId e) const {
     const double angle = std::abs(surface_.fold_angle(e));
-    return angle >= least_bend && angle < most_bend;
+    return angle >= least_bend && angle < most_roll_bend;
   }
 
   /// The sides of each region where it meets another one along one edge alone.
@@ -319,7 +317,7 @@ class RollFinder {
             continue;
           }
           all += surface_.length(e);
-          creased += border || std::abs(surface_.fold_angle(e)) >= most_bend ? surface_.length(e) : 0.0;
+          creased += border || std::abs(surface_.fold_angle(e)) >= most_roll_bend ? surface_.length(e) : 0.0;
         }
       }
     }

@@ -19,6 +19,9 @@ enum class Rolled { automatic, never, always };
 inline constexpr double least_paper_radius_mm = 3.0;
 inline constexpr double least_radius_to_thickness = 15.0;
 
+/// A fold of more, radians, is a crease that the eye sees and the hand makes: 35 degrees.
+inline constexpr double most_roll_bend = 0.6108652381980153;
+
 /// What is rolled of a model.
 struct RollRules {
   Rolled which = Rolled::automatic;

@@ -15,6 +15,7 @@
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/domains/domain.hpp"
 #include "prepare/domains/find_domain.hpp"
+#include "prepare/features/merge_rolls.hpp"
 #include "prepare/features/round_rolls.hpp"
 #include "prepare/features/thin_rulings.hpp"
 #include "prepare/features/trim_reliefs.hpp"
@@ -313,6 +314,11 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
   report.faces_before = model.surface.face_count();
   const mesh::Surface before = options.rolls.which == Rolled::never ? mesh::Surface() : model.surface;
   remesh_panels(model, context);
+  const bool merged = options.mode == Simplification::automatic && merge_rolls(model, options, context) > 0;
+  if (merged) {
+    report.rulings_removed = thin_rulings(
+        model, options, options.largest_deviation * model.surface.bounds().largest_extent(), context);
+  }
   if (options.mode == Simplification::automatic &&
       (model.surface.face_count() > options.most_faces ||
        excess(work_of(model, options), own_budget(options)) > 0.0)) {
@@ -324,7 +330,7 @@ SimplifyReport simplify(mesh::Model& model, const SimplifyOptions& options, cons
     simplify_to_count(model, options, report, context);
   }
   report.at_its_size = model.surface.face_count() < report.faces_before;
-  if (options.mode == Simplification::automatic && round_rolls(model, options, context) > 0) {
+  if ((options.mode == Simplification::automatic && round_rolls(model, options, context) > 0) || merged) {
     report.deviation_mm = deviation_between(model.surface, before, context);
   }
   report.faces_after = model.surface.face_count();

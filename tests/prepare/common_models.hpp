@@ -8,6 +8,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/repair/loose_faces.hpp"
 #include "prepare/domains/domain.hpp"
+#include "prepare/panels/remesh_panels.hpp"
 #include "prepare/prepared/options.hpp"
 #include "support/soups.hpp"
 
@@ -32,6 +33,13 @@ inline const std::vector<Vec2> ring{{2, -0.5},  {2.3, -0.4}, {2.5, 0},    {2.3, 
 /// The model that a file of the surface would become.
 [[nodiscard]] inline mesh::Model model_of(const mesh::Surface& surface) {
   return repaired(soup_of(surface));
+}
+
+/// The same with flat regions that have nothing but their corners.
+[[nodiscard]] inline mesh::Model flat_model_of(const mesh::Surface& surface) {
+  mesh::Model model = model_of(surface);
+  prepare::remesh_panels(model, {});
+  return model;
 }
 
 }  // namespace ridgecraft::test

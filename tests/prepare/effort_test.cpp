@@ -94,6 +94,7 @@ TEST_CASE("a model that is too much work gets the faces that its hours allow", "
   std::size_t before = 0;
   for (const double hours : {3.0, 4.0, 6.0, 8.0}) {
     prepare::SimplifyOptions options;
+    options.rolls.which = prepare::Rolled::never;
     options.budget.hours = hours;
     options.most_own_hours = hours;
     const prepare::Prepared p =

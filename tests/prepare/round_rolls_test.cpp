@@ -9,7 +9,6 @@
 #include <catch2/catch.hpp>
 
 #include "prepare/common_models.hpp"
-#include "prepare/panels/remesh_panels.hpp"
 #include "support/shapes.hpp"
 
 using namespace ridgecraft;
@@ -17,12 +16,6 @@ using Catch::Detail::Approx;
 using mesh::Model;
 
 namespace {
-
-Model flat_model_of(const mesh::Surface& surface) {
-  Model model = test::model_of(surface);
-  prepare::remesh_panels(model, {});
-  return model;
-}
 
 std::size_t rounded(Model& model, prepare::Rolled which = prepare::Rolled::automatic) {
   prepare::SimplifyOptions options;
@@ -42,7 +35,7 @@ bool is_closed(const mesh::Surface& surface) {
 }  // namespace
 
 TEST_CASE("rims of a can become circles of sides that can be glued, and its ends stay flat", "[rolls]") {
-  Model can = flat_model_of(test::revolve({{0, 0}, {40, 0}, {40, 60}, {0, 60}}, 12));
+  Model can = test::flat_model_of(test::revolve({{0, 0}, {40, 0}, {40, 60}, {0, 60}}, 12));
   const std::size_t added = rounded(can);
   const mesh::Surface& surface = can.surface;
   CHECK(is_closed(surface));
@@ -64,7 +57,7 @@ TEST_CASE("rims of a can become circles of sides that can be glued, and its ends
 }
 
 TEST_CASE("bands that share a rim get the same points there, and tips stay tips", "[rolls]") {
-  Model body = flat_model_of(test::revolve({{0, 0}, {30, 0}, {40, 40}, {40, 70}, {0, 120}}, 12));
+  Model body = test::flat_model_of(test::revolve({{0, 0}, {30, 0}, {40, 40}, {40, 70}, {0, 120}}, 12));
   REQUIRE(rounded(body) > 0);
   const mesh::Surface& surface = body.surface;
   CHECK(is_closed(surface));
@@ -82,10 +75,10 @@ TEST_CASE("bands that share a rim get the same points there, and tips stay tips"
 }
 
 TEST_CASE("what isn't rolled, and what would get short sides, stays as it is", "[rolls]") {
-  Model can = flat_model_of(test::revolve({{0, 0}, {40, 0}, {40, 60}, {0, 60}}, 12));
+  Model can = test::flat_model_of(test::revolve({{0, 0}, {40, 0}, {40, 60}, {0, 60}}, 12));
   CHECK(rounded(can, prepare::Rolled::never) == 0);
-  Model pen = flat_model_of(test::revolve({{0, 0}, {15, 0}, {15, 60}, {0, 60}}, 12));
+  Model pen = test::flat_model_of(test::revolve({{0, 0}, {15, 0}, {15, 60}, {0, 60}}, 12));
   CHECK(rounded(pen) == 0);
-  Model box = flat_model_of(test::scaled(test::cube(), 50.0));
+  Model box = test::flat_model_of(test::scaled(test::cube(), 50.0));
   CHECK(rounded(box) == 0);
 }
