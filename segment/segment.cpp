@@ -354,4 +354,14 @@ Segmentation segment(mesh::Surface&& surface, std::span<const std::uint32_t> pol
   return segment_given({surface, &surface}, polygon, options, context, label);
 }
 
+double scale_of(const mesh::Surface& surface) {
+  const Box3 box = surface.bounds();
+  const double size = box.diagonal();
+  std::vector<Vec3> points;
+  for (const Vec3 p : surface.points()) {
+    points.push_back((1.0 / size) * (p - box.low));
+  }
+  return size > 0.0 ? size * smallest_enclosing_ball(points).radius : 0.0;
+}
+
 }  // namespace ridgecraft::segment

@@ -32,4 +32,7 @@ namespace ridgecraft::segment {
                                    const Options& options, const Context& context,
                                    std::span<const std::uint32_t> label = {});
 
+/// Radius of the smallest ball around a surface, in its unit: concavity 1. O(n).
+[[nodiscard]] double scale_of(const mesh::Surface& surface);
+
 }  // namespace ridgecraft::segment

@@ -211,6 +211,19 @@ Body convex_hull(std::span<const Vec3> points, double thickness, const Context& 
   return canonical_hull(body_of(mesh), context);
 }
 
+double hull_volume(std::span<const Vec3> points, const Context& context) {
+  if (points.size() < 4 || !missing_directions(points).empty()) {
+    return 0.0;
+  }
+  std::vector<Point> input;
+  for (const Vec3 p : points) {
+    input.push_back(to_cgal(p));
+  }
+  HullMesh mesh;
+  CGAL::convex_hull_3(input.begin(), input.end(), mesh, PatientTraits(context));
+  return std::fabs(mass_properties(body_of(mesh)).volume);
+}
+
 bool encloses(const Body& convex, std::span<const Vec3> points) {
   return std::all_of(points.begin(), points.end(), [&](Vec3 p) {
     return std::all_of(convex.triangles.begin(), convex.triangles.end(), [&](const auto& t) {

@@ -47,8 +47,9 @@ struct JoinRules {
   double free_share = 0.0;
 };
 
-/// Replaces two bodies by the hull of both, those first whose hull adds least volume, and again, as far as
-/// the rules say. Each body is enclosed by one that is left; they are in the order of their first members.
+/// Replaces two bodies by the hull of both, those first whose hull adds least air, which no body held at
+/// first, and again, as far as the rules say. Each body is enclosed by one that is left; they are in the
+/// order of their first members.
 [[nodiscard]] std::vector<Body> joined(std::vector<Body> bodies, const JoinRules& rules,
                                        const Context& context);
 

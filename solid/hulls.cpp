@@ -43,12 +43,6 @@ constexpr double near_enough = 1e-6;
 /// Each round adds a point for each side that has any beyond it: about ten are enough.
 constexpr unsigned most_rounds = 64;
 
-/// Points with dot(normal, p) <= offset.
-struct HalfSpace {
-  Vec3 normal;
-  double offset;
-};
-
 /// A bounded convex polyhedron by the loops of its faces.
 struct Polytope {
   std::vector<Vec3> points;

@@ -14,10 +14,19 @@
 
 namespace ridgecraft::solid {
 
+/// Points with dot(normal, p) <= offset.
+struct HalfSpace {
+  Vec3 normal;
+  double offset;
+};
+
 /// The convex hull of points: its corners are some of them, so nothing is rounded. Points without volume are
 /// given `thickness` first, to both sides. At least one point. It encloses them all: signs are exact.
 /// O(n log n). Throws Error(interrupted) and Error(out_of_time).
 [[nodiscard]] Body convex_hull(std::span<const Vec3> points, double thickness, const Context& context = {});
+
+/// Volume of the convex hull of points: less work than the hull as a body. O(n log n).
+[[nodiscard]] double hull_volume(std::span<const Vec3> points, const Context& context);
 
 /// The hull of some of the points, chosen so that no other lies farther outside than `tolerance`. O(points *
 /// triangles).

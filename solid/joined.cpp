@@ -21,7 +21,7 @@ namespace {
 /// Rays over the longest side of all bodies that tell how much two of them share.
 constexpr double rays_over_all = 64.0;
 /// So many bodies are all compared with each other; of more each with those that are nearest.
-constexpr std::size_t few_bodies = 64;
+constexpr std::size_t few_bodies = 24;
 constexpr std::size_t nearest_bodies = 12;
 /// A body's volume with another is that of its farthest points in so many directions.
 constexpr std::size_t directions = 64;
@@ -42,10 +42,6 @@ double distance(const Box3& a, const Box3& b) {
                      gap(a.low.z, a.high.z, b.low.z, b.high.z)});
 }
 
-double shared_length(const Stretches& a, const Stretches& b) {
-  return total(a) - total(difference(a, b));
-}
-
 class Joiner {
  public:
   Joiner(const JoinRules& rules, const Context& context)
@@ -61,6 +57,12 @@ class Joiner {
     step_ = all.largest_extent() / rays_over_all;
     flat_ = 1e-6 * step_;
     rays_ = std::make_unique<Rays>(all, 2, step_);
+    Stretches held;
+    for (const Body& body : bodies) {
+      const Stretches one = rays_->inside(body);
+      held.insert(held.end(), one.begin(), one.end());
+    }
+    held_ = united(std::move(held));
     for (Body& body : bodies) {
       add(std::move(body));
     }
@@ -83,7 +85,7 @@ class Joiner {
     Box3 box;
     std::vector<Vec3> farthest;  ///< points in all directions
     double volume = 0.0;         ///< of their hull
-    Stretches inside;
+    Stretches air;               ///< of what no body held at first
     bool alive = true;
   };
   using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;  ///< added volume, then both
@@ -98,7 +100,7 @@ class Joiner {
     }
     member.farthest = farthest_of(body.points);
     member.volume = mass_properties(convex_hull(member.farthest, flat_, context_)).volume;
-    member.inside = rays_->inside(body);
+    member.air = difference(rays_->inside(body), held_);
     member.body = std::move(body);
     members_.push_back(std::move(member));
     return static_cast<std::uint32_t>(members_.size() - 1);
@@ -123,12 +125,14 @@ class Joiner {
     return result;
   }
 
-  /// How much larger the hull of two is than the two.
+  /// How much air the hull of two holds that neither does.
   [[nodiscard]] double added_volume(const Member& a, const Member& b) const {
     std::vector<Vec3> points = a.farthest;
     points.insert(points.end(), b.farthest.begin(), b.farthest.end());
-    const double whole = mass_properties(convex_hull(points, flat_, context_)).volume;
-    return whole - a.volume - b.volume + step_ * step_ * shared_length(a.inside, b.inside);
+    const Body hull = convex_hull(points, flat_, context_);
+    Stretches both = a.air;
+    both.insert(both.end(), b.air.begin(), b.air.end());
+    return step_ * step_ * (total(difference(rays_->inside(hull), held_)) - total(united(std::move(both))));
   }
 
   void offer(std::uint32_t i, std::uint32_t j) {
@@ -210,6 +214,7 @@ class Joiner {
   std::unique_ptr<Rays> rays_;
   double step_ = 0.0;
   double flat_ = 0.0;
+  Stretches held_;
   std::vector<Member> members_;
   std::size_t alive_ = 0;
   std::set<std::pair<std::uint32_t, std::uint32_t>> offered_;

@@ -54,7 +54,7 @@ inline constexpr double most_uncovered = 1e-3;
 struct HullOptions {
   /// No hull has more vertices; at least 8. 0: as many as it takes.
   std::size_t max_vertices = 0;
-  /// There are no more hulls: the ones whose joint hull adds least volume are joined. 0: as many as it takes.
+  /// There are no more hulls: the ones whose joint hull adds least air are joined. 0: as many as it takes.
   std::size_t max_hulls = 0;
 };
 
@@ -70,11 +70,13 @@ struct HullSet {
   std::vector<Body> bodies;
   Fit fit;
   std::size_t filling = 0;  ///< bodies that were added for what parts' hulls leave uncovered
+  bool of_cuts = false;     ///< bodies are hulls of what planes cut off, not of parts
 };
 
-/// Hulls for a model: those of its parts, and more where these leave more than `most_uncovered` of what it
-/// encloses in none (parts are sets of faces: the walls of a box may be parts by themselves). Everything
-/// that the parts' hulls hold is in them, whatever the limits.
+/// Hulls for a model: as many as its parts, and more where the parts' hulls leave more than `most_uncovered`
+/// of what it encloses in none (parts are sets of faces: the walls of a box may be parts by themselves). They
+/// are those of the parts, or of as many pieces that planes cut off the solid where these hold less air.
+/// Every vertex is in them, whatever the limits.
 [[nodiscard]] HullSet model_hulls(const mesh::Surface& surface, const segment::Segmentation& parts,
                                   const HullOptions& options, const Context& context);
 

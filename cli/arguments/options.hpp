@@ -70,7 +70,8 @@ struct InfoJob {
 /// How a model is divided into nearly convex parts.
 struct PartArguments {
   segment::Options options;
-  std::size_t count = 0;  ///< of parts; 0: as many as the concavity asks for
+  std::optional<double> concavity_mm;  ///< in place of the options'
+  std::size_t count = 0;               ///< of parts; 0: as many as the concavity asks for
 };
 
 struct SegmentJob {

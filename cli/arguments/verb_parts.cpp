@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "base/option_values.hpp"
@@ -26,7 +27,8 @@ struct PartTexts {
 void PartTexts::add_to(Verb& verb) {
   verb.option(
       "Parts", "--concavity", concavity, "TOLERANCE",
-      "Largest concavity of a part, in the scale where the smallest enclosing ball has radius 1 (0.1).");
+      "Largest concavity of a part: a length such as 5mm, or a number in the scale where the smallest "
+      "enclosing ball has radius 1 (0.1).");
   verb.option(
       "Parts", "--parts", count, "N",
       "Give N parts: the finest parts joined, the least concave unions first. In place of "
@@ -61,7 +63,11 @@ PartArguments PartTexts::checked() const {
   PartArguments out;
   out.options = options;
   if (!concavity.empty()) {
-    out.options.concavity = job::number_of(option_row("concavity"), "--concavity", concavity);
+    if (std::isalpha(static_cast<unsigned char>(concavity.back())) != 0) {
+      out.concavity_mm = length_or_refuse("--concavity", concavity, 1e-6, 1e9);
+    } else {
+      out.options.concavity = job::number_of(option_row("concavity"), "--concavity", concavity);
+    }
   }
   using segment::Options;
   out.options.effort = choice_or_refuse<int>("--effort", effort, {{"1", 1}, {"2", 2}, {"3", 3}});
@@ -145,8 +151,8 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
   verb.usage("ridgecraft hulls MODEL -o HULLS.obj [--max-vertices N] [options]");
   verb.example("ridgecraft hulls dinosaur.obj -o dinosaur-hulls.obj --max-vertices 64",
                "One object per hull; together they hold all that the model encloses.");
-  verb.example("ridgecraft hulls dinosaur.obj -o few.obj --effort 3 --planes --volume-weight 8",
-               "Fewer hulls that lie closer, for about 25 times the work.");
+  verb.example("ridgecraft hulls dinosaur.obj -o near.obj --concavity 0.03 --max-hulls 32",
+               "More hulls that lie closer.");
   verb.example("ridgecraft hulls dinosaur.obj -o dinosaur.urdf --unit m",
                "A robot description with a collision element per hull, and the meshes that it names.");
   HullsJob job;
@@ -160,7 +166,7 @@ Job build_hulls(const Arguments* arguments, Manual* manual) {
               "(UsdPhysics) or .glb (KHR_physics_rigid_bodies).");
   verb.flag("Output", "--overwrite", job.overwrite, "Replace existing files.");
   verb.option("Hulls", "--max-hulls", hulls, "N",
-              "At most this many hulls: those whose joint hull adds least volume are joined (no limit).");
+              "At most this many hulls: those whose joint hull adds least air are joined (no limit).");
   verb.option(
       "Hulls", "--max-vertices", vertices, "N",
       "At most this many vertices a hull, 8 or more; it grows instead of leaving anything out: by about 4 % "

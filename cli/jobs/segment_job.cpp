@@ -187,7 +187,7 @@ SegmentResult make_parts(const SegmentJob& job, const Context& context, PendingF
                                             job.parts.count, strict);
       }
       if (job.parts.count == 0 && !hierarchy && result.model.surface.face_count() >= large_surface) {
-        return find_parts_of_large(result.model, job.parts.options, strict);
+        return find_parts_of_large(result.model, options_for(result.model, job.parts), strict);
       }
       return find_parts(result.model, shown_name(job.model), job.parts, hierarchy, strict);
     });

@@ -313,7 +313,7 @@ SolidResult make_hulls(const HullsJob& job, const Context& context, PendingFiles
   result.bodies = std::move(set.bodies);
   result.fit = set.fit;
   result.notes = notes_of(set.fit);
-  if (result.bodies.size() == parts.parts.size() && !job.parts.options.pockets) {
+  if (!set.of_cuts && result.bodies.size() == parts.parts.size() && !job.parts.options.pockets) {
     if (const std::size_t closed = count_closed_openings(result.model.surface, parts, result.bodies);
         closed > 0) {
       result.notes.push_back(Message("hulls_close_openings", {{"n", closed}}));

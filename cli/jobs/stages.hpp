@@ -54,6 +54,9 @@ auto in_time(const Context& context, const std::string& doing, const Stage& stag
   }
 }
 
+/// The options for a model whose unit is known: lengths become shares of the radius of its enclosing ball.
+[[nodiscard]] segment::Options options_for(const mesh::Model& model, const PartArguments& parts);
+
 /// `file` is what messages call the model. A hierarchy that is given is used for a number of parts, one that
 /// isn't is found where a number is asked for and left in `hierarchy`. Throws Error(usage) when there are no
 /// such parts.

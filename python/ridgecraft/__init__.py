@@ -157,10 +157,11 @@ def hulls(
     time_limit: Optional[float] = None,
     progress: Optional[Progress] = None,
 ) -> Hulls:
-    """A convex body around each nearly convex part, as (vertices, triangles): for physics engines. All that a
-    closed mesh encloses is in them, but for at most a thousandth: where parts leave more, further bodies fill it.
+    """As many convex bodies as there are nearly convex parts, as (vertices, triangles): for physics engines. They are
+    the parts' hulls, or those of pieces that planes cut off where these lie closer. All that a closed mesh encloses is
+    in them, but for at most a thousandth: where parts leave more, further bodies fill it.
 
-    max_hulls: there are no more bodies, those whose joint hull adds least volume are joined; 0 for any number.
+    max_hulls: there are no more bodies, those whose joint hull adds least air are joined; 0 for any number.
     max_vertices: no body has more (at least 8); 0 for any number. The other arguments are those of segment().
     """
     made, volume_ratio, uncovered = _core.hulls(

@@ -81,6 +81,8 @@ TEST_CASE("hulls and cages take the options of parts that segment has", "[verbs_
   CHECK(parts({"hulls", "table.obj", "-o", "a.obj"}) == 5);
   CHECK(parts({"hulls", "table.obj", "-o", "b.obj", "--parts", "3"}) == 3);
   CHECK(parts({"hulls", "table.obj", "-o", "c.obj", "--concavity", "1"}) == 1);
+  CHECK(parts({"hulls", "table.obj", "-o", "f.obj", "--concavity", "10m"}) == 1);
+  CHECK(parts({"hulls", "table.obj", "-o", "g.obj", "--concavity", "0.1mm"}) == 5);
   CHECK(parts({"cage", "table.obj", "-o", "d.obj", "--parts", "2"}) == 2);
   CHECK(parts({"hulls", "table.obj", "-o", "e.obj", "--effort", "3", "--planes"}) ==
         parts({"segment", "table.obj", "--effort", "3", "--planes"}));
