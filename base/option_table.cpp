@@ -346,7 +346,7 @@ std::vector<OptionGroup> option_groups() {
        "given for several terms:\n"
        "seam=1: a mm of seam to glue;\n"
        "bare=6: a mm of seam without room for a tab;\n"
-       "slits=2: a mm of seam that hardly opens;\n"
+       "slits=3: a mm of seam that hardly opens;\n"
        "mirror=1.5: a mm of seam whose image, mirrored or turned, is none;\n"
        "open=0.1: a mm of seam on smooth places;\n"
        "borders=0.7: a mm of fold where colours, materials or objects of the model meet;\n"

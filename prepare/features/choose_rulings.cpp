@@ -155,15 +155,22 @@ class RulingChooser {
     return true;
   }
 
-  [[nodiscard]] double moved(std::size_t i, std::size_t j) const {
-    double most = 0.0;
+  /// How far the surface moves where the lines between two go.
+  struct Moved {
+    double mm = 0.0;
+    double arc = 0.0;  ///< as a share of the side there
+  };
+  [[nodiscard]] Moved moved(std::size_t i, std::size_t j) const {
+    Moved most;
     for (std::size_t l = i + 1; l < j; ++l) {
       for (std::size_t t = 0; t < points(); ++t) {
         const Vec3 way = at(j, t) - at(i, t);
         const double squared = dot(way, way);
         const Vec3 from = at(l, t) - at(i, t);
         const double share = squared > 0.0 ? std::clamp(dot(from, way) / squared, 0.0, 1.0) : 0.0;
-        most = std::max(most, length(from - share * way));
+        const double mm = length(from - share * way);
+        most.mm = std::max(most.mm, mm);
+        most.arc = squared > 0.0 ? std::max(most.arc, mm / std::sqrt(squared)) : most.arc;
       }
     }
     return most;
@@ -173,13 +180,13 @@ class RulingChooser {
   [[nodiscard]] double cost(std::size_t i, std::size_t j) const {
     const double wide_mm = width(i, j);
     const bool narrow = wide_mm < rules_.short_edge_mm;
-    const double off = moved(i, j);
-    const double arc = rules_.rolled ? rolled_arc : narrow ? narrow_arc : widest_arc;
-    const double most = std::min(most_mm_, arc * wide_mm);
-    if (j > i + 1 && (off > most || !is_flat(i, j))) {
+    const Moved off = moved(i, j);
+    const bool is_round =
+        rules_.rolled ? off.arc <= rolled_arc : off.mm <= (narrow ? narrow_arc : widest_arc) * wide_mm;
+    if (j > i + 1 && (off.mm > most_mm_ || !is_round || !is_flat(i, j))) {
       return never;
     }
-    const double move = off / (unseen * rules_.largest_mm);
+    const double move = off.mm / (unseen * rules_.largest_mm);
     const double share = rules_.short_edge_mm / std::max(wide_mm, ruled_alike * rules_.short_edge_mm);
     return move * move + share * share + (narrow ? too_narrow : 0.0);
   }
@@ -193,7 +200,8 @@ class RulingChooser {
     for (std::size_t i = 0; i < count_; ++i) {
       const bool end = !strip_.round && (i == 0 || i + 1 == count_);
       if (end || is_wide(i + count_ - 1) || is_wide(i) ||
-          (fold(i) > softness(i) && moved(i + count_ - 1, i + count_ + 1) > uneven * rules_.short_edge_mm)) {
+          (fold(i) > softness(i) &&
+           moved(i + count_ - 1, i + count_ + 1).mm > uneven * rules_.short_edge_mm)) {
         result.push_back(i);
       }
     }

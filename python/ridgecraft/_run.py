@@ -206,7 +206,7 @@ def run(
         wherever the sheet can be bent so, round 3 mm and more (auto; never with pieces few).
     max_faces: Most flat faces of one piece (few: any, parts: 80, small: 24).
     weigh: How much a property of nets counts when the best ones are chosen, in mm of seam. May be given for several
-        terms: seam=1: a mm of seam to glue; bare=6: a mm of seam without room for a tab; slits=2: a mm of seam that
+        terms: seam=1: a mm of seam to glue; bare=6: a mm of seam without room for a tab; slits=3: a mm of seam that
         hardly opens; mirror=1.5: a mm of seam whose image, mirrored or turned, is none; open=0.1: a mm of seam on
         smooth places; borders=0.7: a mm of fold where colours, materials or objects of the model meet; compact=5: a cm2
         inside a piece's hull that is no paper; outline=0.5: the square of a piece's outline, over 1000 mm; thin=0.5: a

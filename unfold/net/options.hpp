@@ -55,7 +55,7 @@ inline constexpr double fold_give_mm = 0.3;
 struct Weights {
   double seam = 1.0;      ///< each mm of seam
   double bare = 6.0;      ///< each mm of seam without room for a tab that holds
-  double slits = 2.0;     ///< each mm of seam that opens by less than 20 degrees
+  double slits = 3.0;     ///< each mm of seam that opens by less than 20 degrees
   double mirror = 1.5;    ///< each mm of seam whose image, mirrored or turned, is none
   double open = 0.1;      ///< each mm of seam on a smooth place; less on ridges and in hollows
   double borders = 0.7;   ///< each mm of fold where colours or names of the model meet

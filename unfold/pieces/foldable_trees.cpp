@@ -20,7 +20,7 @@ namespace ridgecraft::unfold {
 namespace {
 
 /// What a piece that folds freely may cost more, mm of seam (net/options.hpp).
-constexpr double worth_of_free_folding_mm = 150.0;
+constexpr double worth_of_free_folding_mm = 300.0;
 /// From a tree that folds freely a better one is searched for by a share of the trials that the first search
 /// had, beginning with this heat, mm: it is near already.
 constexpr double trials_again = 0.16;
