@@ -3,13 +3,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace ridgecraft::cli {
 
-/// The materials and pictures of a model: files next to it whose names are in it, or in such a file.
-[[nodiscard]] std::vector<std::filesystem::path> files_of_model(const std::filesystem::path& model,
-                                                                const std::string& bytes);
+/// The other files that the model is read from: its materials, pictures and buffers. None where it can't be
+/// read. O(file): reads it.
+[[nodiscard]] std::vector<std::filesystem::path> files_of_model(const std::filesystem::path& model);
 
 }  // namespace ridgecraft::cli

@@ -51,7 +51,7 @@ Collected project_for(const MakeJob& job, const job::Result& made) {
   project.edits = made.edits;
   project.digest = made.mark.digest;
   const std::string bytes = mesh::read_file(model);
-  for (const fs::path& file : files_of_model(model, bytes)) {
+  for (const fs::path& file : files_of_model(model)) {
     collected.add(file, mesh::read_file(file));
   }
   for (const std::string& file : {job.edges.cuts, job.edges.keep, job.edges.from, job.tab_file}) {

@@ -43,7 +43,7 @@ std::string start_of(const StudioJob& job) {
   const std::string bytes = mesh::read_file(model);
   std::string json = "{\"name\":" + script_string(model.filename().string()) + ",\"files\":{";
   json += script_string(model.filename().string()) + ":\"" + base64(bytes) + "\"";
-  for (const fs::path& file : files_of_model(model, bytes)) {
+  for (const fs::path& file : files_of_model(model)) {
     json += "," + script_string(file.filename().string()) + ":\"" + base64(mesh::read_file(file)) + "\"";
   }
   json += "},\"words\":[";

@@ -186,6 +186,8 @@ struct Soup {
   FileFrame frame;
   /// Hashes of the other files that the shape comes from (buffers of glTF), one after the other.
   std::string beside_digest;
+  /// The other files that it was read from, as they were opened: materials, pictures, buffers. None twice.
+  std::vector<std::string> files_beside;
   /// What the reader ignored, corrected or wants to be known.
   RepairReport remarks;
 

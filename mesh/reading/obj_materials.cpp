@@ -153,6 +153,8 @@ class MaterialFiles {
   PicturePlace apply(std::string_view name, Material& material);
   /// What was seen and can't be shown.
   void tell_ignored() const;
+  /// Those that define something.
+  [[nodiscard]] std::vector<std::string> opened() const;
 
  private:
   bool read(const fs::path& file);
@@ -225,6 +227,16 @@ PicturePlace MaterialFiles::apply(std::string_view name, Material& material) {
   return material.picture ? found->second.place : PicturePlace{};
 }
 
+std::vector<std::string> MaterialFiles::opened() const {
+  std::vector<std::string> files;
+  for (const auto& [file, useful] : read_files_) {
+    if (useful) {
+      files.push_back(file.string());
+    }
+  }
+  return files;
+}
+
 void MaterialFiles::tell_ignored() const {
   std::vector<std::string> words;
   if (transparent_ > 0) {
@@ -283,6 +295,7 @@ void read_material_files(const Source& source, const std::vector<std::string_vie
     places.push_back(files.apply(names[i], soup.materials[i]));
   }
   files.tell_ignored();
+  soup.files_beside = files.opened();
   place_pictures(places, soup);
 }
 

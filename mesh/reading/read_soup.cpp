@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <new>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -554,6 +555,20 @@ std::string_view off_keyword(std::string_view word) {
   return {};
 }
 
+namespace {
+
+void add_pictures_beside(const std::filesystem::path& folder, Soup& soup) {
+  std::set<std::string> files(soup.files_beside.begin(), soup.files_beside.end());
+  for (const Material& material : soup.materials) {
+    if (material.has_picture() && !material.texture_file.empty()) {
+      files.insert((folder / material.texture_file).string());
+    }
+  }
+  soup.files_beside.assign(files.begin(), files.end());
+}
+
+}  // namespace
+
 Soup parse_soup(std::string_view bytes, std::string_view file_name,
                 const std::filesystem::path& folder_for_materials, const Context& context,
                 const std::filesystem::path& importer) {
@@ -573,6 +588,7 @@ Soup parse_soup(std::string_view bytes, std::string_view file_name,
       source.refuse(ErrorKind::unusable_mesh,
                     soup.points.empty() ? "has no faces" : "has points but no faces that could be unfolded");
     }
+    add_pictures_beside(folder_for_materials, soup);
     return soup;
   } catch (const std::bad_alloc&) {
     source.refuse(ErrorKind::unusable_mesh, "needs more memory than this machine has");

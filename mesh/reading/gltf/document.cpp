@@ -474,6 +474,14 @@ std::string_view GltfDocument::buffer(std::uint64_t i, const GltfObject& user) {
   return bytes.substr(0, length);
 }
 
+std::vector<std::string> GltfDocument::files_beside() const {
+  std::vector<std::string> files;
+  for (const auto& [file, bytes] : files_) {
+    files.push_back(file);
+  }
+  return files;
+}
+
 std::string_view GltfDocument::open_buffer(const GltfObject& buffer) {
   const std::string uri = buffer.text("uri");
   if (uri.empty()) {

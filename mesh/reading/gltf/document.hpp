@@ -116,6 +116,8 @@ class GltfDocument {
   void unpack_view_of(const GltfObject& accessor);
   /// Hashes of the buffers next to the file that were opened.
   [[nodiscard]] const std::string& beside_digest() const { return beside_digest_; }
+  /// As Soup::files_beside, without pictures.
+  [[nodiscard]] std::vector<std::string> files_beside() const;
 
  private:
   void check_version() const;
