@@ -3,6 +3,7 @@
 // it to standard output (mesh/reading/imported/stream.hpp). Not to be called by people: ridgecraft does,
 // where it lets others read for it. Nothing here trusts Assimp: the system grants the process its two
 // streams, memory and the time of day, and nothing else (seccomp), and it has little time and memory.
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -119,15 +120,37 @@ void keep_only(Assimp::Importer& importer, const std::string& suffix) {
   }
 }
 
-std::string imported(const std::string& bytes, const std::string& format) {
+/// Without blanks before numbers of an XML file, which Assimp 5.2 takes for a mistake in some places
+/// ("<color>  0.0 0.0 0.0 1.0</color>").
+std::string without_blanks_before_numbers(const std::string& xml) {
+  constexpr std::string_view blanks = " \t\r\n";
+  std::string out;
+  out.reserve(xml.size());
+  for (std::size_t at = 0; at < xml.size();) {
+    const std::size_t end = std::min(xml.find('>', at), xml.size() - 1) + 1;
+    out.append(xml, at, end - at);
+    at = end;
+    const std::size_t next = xml.find_first_not_of(blanks, at);
+    if (next != std::string::npos && std::string_view("0123456789.-+").find(xml[next]) != std::string::npos) {
+      at = next;
+    }
+  }
+  return out;
+}
+
+std::string imported(std::string bytes, const std::string& format) {
   std::string suffix = format;
   for (char& c : suffix) {
     c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
+  if (suffix == "dae") {
+    bytes = without_blanks_before_numbers(bytes);
+  }
   Assimp::Importer importer;
   keep_only(importer, suffix);
   importer.SetIOHandler(new NoFiles);  // the importer deletes it
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  // Put together, Assimp 5.2 forgets that a PostRotation is taken back.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, suffix.c_str());

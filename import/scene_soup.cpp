@@ -99,6 +99,7 @@ class SoupMaker {
     out.index(static_cast<std::uint32_t>(corner_point_.size()));
     out.indices(corner_point_);
     out.indices(corner_place_);
+    out.indices(corner_colour_);
     out.indices(polygon_material_);
     out.words(stream::end);
     return out.take();
@@ -199,10 +200,44 @@ class SoupMaker {
     return name.empty() || node.mParent == nullptr ? mesh.mName.C_Str() : name;
   }
 
+  [[nodiscard]] static std::optional<aiColor3D> colour_of(const aiMaterial& material) {
+    aiColor3D colour(1, 1, 1);
+    const bool told = material.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
+                      material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
+    return told ? std::optional(colour) : std::nullopt;
+  }
+
+  /// Whether the colours of a mesh's points are what it looks like: games keep other things in them, so a
+  /// material that isn't grey counts more. Programs write white where nobody has painted anything.
+  [[nodiscard]] bool tells_colours(const aiMesh& mesh) const {
+    if (!mesh.HasVertexColors(0)) {
+      return false;
+    }
+    if (mesh.mMaterialIndex < scene_.mNumMaterials) {
+      const auto material = colour_of(*scene_.mMaterials[mesh.mMaterialIndex]);
+      if (material && (material->r != material->g || material->g != material->b)) {
+        return false;
+      }
+    }
+    const auto* const colours = mesh.mColors[0];
+    return std::any_of(colours, colours + mesh.mNumVertices,
+                       [](const aiColor4D& colour) { return packed_colour(colour) != 0xffffff; });
+  }
+  /// 0xRRGGBB
+  [[nodiscard]] static std::uint32_t packed_colour(const aiColor4D& colour) {
+    std::uint32_t packed = 0;
+    for (const float channel : {colour.r, colour.g, colour.b}) {
+      packed = packed << 8U |
+               static_cast<std::uint32_t>(channel > 0.0F ? std::min(channel, 1.0F) * 255.0F + 0.5F : 0.0F);
+    }
+    return packed;
+  }
+
   void add(const aiMesh& mesh, const Motion& motion) {
     const auto first_point = static_cast<std::uint32_t>(points_.size());
     const auto first_place = static_cast<std::uint32_t>(places_.size());
     const bool has_places = mesh.HasTextureCoords(0);
+    const bool has_colours = tells_colours(mesh);
     const std::vector<std::array<double, 3>> points = points_of(mesh, motion);
     points_.insert(points_.end(), points.begin(), points.end());
     for (unsigned v = 0; has_places && v < mesh.mNumVertices; ++v) {
@@ -224,6 +259,7 @@ class SoupMaker {
         }
         corner_point_.push_back(first_point + v);
         corner_place_.push_back(has_places ? first_place + v : stream::no_index);
+        corner_colour_.push_back(has_colours ? packed_colour(mesh.mColors[0][v]) : stream::no_index);
       }
     }
   }
@@ -291,10 +327,9 @@ class SoupMaker {
       aiString name;
       material.Get(AI_MATKEY_NAME, name);
       out.text({name.data, name.length});
-      aiColor3D colour(1, 1, 1);
-      const bool has_colour = material.Get(AI_MATKEY_BASE_COLOR, colour) == aiReturn_SUCCESS ||
-                              material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS;
-      out.index(has_colour ? 1 : 0);
+      const std::optional<aiColor3D> told = colour_of(material);
+      const aiColor3D colour = told.value_or(aiColor3D(1, 1, 1));
+      out.index(told ? 1 : 0);
       out.number(colour.r);
       out.number(colour.g);
       out.number(colour.b);
@@ -338,7 +373,7 @@ class SoupMaker {
   std::vector<std::array<double, 3>> points_;
   std::vector<std::array<double, 2>> places_;
   std::vector<std::pair<std::uint32_t, std::string>> objects_;
-  std::vector<std::uint32_t> polygon_size_, corner_point_, corner_place_, polygon_material_;
+  std::vector<std::uint32_t> polygon_size_, corner_point_, corner_place_, corner_colour_, polygon_material_;
 };
 
 }  // namespace

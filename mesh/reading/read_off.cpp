@@ -177,9 +177,16 @@ void OffReader::read_face() {
     source_.refuse_line(ErrorKind::unreadable_input, text_.place(),
                         "a face has a negative number of corners");
   }
+  const char* const start = text_.place();
+  bool goes_on = false;  // over the end of a line
   for (std::int64_t i = 0; i < corners; ++i) {
     std::int64_t point = 0;
-    if (text_.line_is_over() || !text_.integer(point) || !text_.at_word_end()) {
+    goes_on = goes_on || text_.line_is_over();
+    text_.skip_space('#');
+    if (text_.done()) {
+      source_.refuse_line(ErrorKind::unreadable_input, start, "a corner is missing");
+    }
+    if (!text_.integer(point) || !text_.at_word_end()) {
       refuse_word("a corner");
     }
     if (point < 0 || point >= points_) {
@@ -188,6 +195,9 @@ void OffReader::read_face() {
           fmt::format("a face names point {}, but points are numbered 0 to {}", point, points_ - 1));
     }
     soup_.corner_point.push_back(static_cast<std::uint32_t>(point));
+  }
+  if (goes_on && !text_.line_is_over()) {  // the count of the next face was taken for a corner
+    source_.refuse_line(ErrorKind::unreadable_input, start, "a corner is missing");
   }
   check_corner_count(source_, soup_);
   soup_.first_corner.push_back(static_cast<std::uint32_t>(soup_.corner_point.size()));

@@ -93,6 +93,8 @@ Soup PlyReader::read() {
       read_points(element);
     } else if (element.name == "face") {
       read_faces(element);
+    } else if (element.properties.empty()) {
+      continue;  // it takes no bytes, however high the count
     } else if (element.name == "tristrips") {
       read_strips(element);
     } else if (element.name == "edge") {
@@ -343,9 +345,6 @@ void PlyReader::read_edges(const PlyElement& element) {
 }
 
 void PlyReader::skip_element(const PlyElement& element) {
-  if (element.properties.empty()) {
-    return;  // nothing to skip, however high the count
-  }
   for (std::int64_t i = 0; i < element.count; ++i) {
     begin(element, i);
     for (const PlyProperty& property : element.properties) {

@@ -154,7 +154,7 @@ Vec3 normal_of(const PolygonList& list, std::span<const std::uint32_t> polygon) 
   return normalized(sum);
 }
 
-/// Its corners in its plane; nothing where it isn't flat, or bends one way only: then no sides cross.
+/// Its corners in its plane; nothing where it isn't flat, or has too few or too many corners.
 std::optional<Star> star_of(const PolygonList& list, std::size_t i, double flat) {
   const auto polygon = list.polygon(i);
   const Vec3 normal = normal_of(list, polygon);

@@ -480,6 +480,28 @@ std::string meshopt_glb(const std::string& points, const std::string& corners) {
 
 }  // namespace
 
+TEST_CASE("glTF: primitives that name the same accessors have what Draco packed for each") {
+  const std::string draco = mesh::from_base64(draco_tetrahedron).value();
+  const auto primitive = [](int view, int indices) {
+    return fmt::format(
+        R"({{"attributes":{{"POSITION":0}},"indices":{},"extensions":{{"KHR_draco_mesh_compression":)"
+        R"({{"bufferView":{},"attributes":{{"POSITION":0}}}}}}}})",
+        indices, view);
+  };
+  const Soup soup = parsed(
+      compressed(
+          "KHR_draco_mesh_compression",
+          R"({"componentType":5126,"count":4,"type":"VEC3"},)"
+          R"({"componentType":5125,"count":12,"type":"SCALAR"},)"
+          R"({"componentType":5125,"count":12,"type":"SCALAR"})",
+          fmt::format(R"({{"buffer":0,"byteLength":{0}}},{{"buffer":0,"byteLength":{0}}})", draco.size()),
+          primitive(0, 1) + "," + primitive(1, 2), draco),
+      "glb");
+  CHECK(soup.points.size() == 8);
+  CHECK(soup.polygon_count() == 8);
+  CHECK(signed_volume(soup, 0, 8) == Approx(16.0 / 6.0));
+}
+
 TEST_CASE("glTF: Draco and meshopt are unpacked, and damaged data is refused") {
   const std::string draco = mesh::from_base64(draco_tetrahedron).value();
   const std::string points = mesh::from_base64(meshopt_points).value();

@@ -107,7 +107,9 @@ std::string triangle_stream() {
   index(1);
   index(3);
   index(3);
-  for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 1U, 2U}) {
+  // Points, texture points and colours of its corners.
+  for (const std::uint32_t corner :
+       {0U, 1U, 2U, 0U, 1U, 2U, 0xff0000U, 0x00ff00U, mesh::imported::no_index}) {
     index(corner);
   }
   index(0);
@@ -245,6 +247,7 @@ TEST_CASE("What comes through the pipe is checked as a file is", "[imported]") {
   const std::string whole = triangle_stream();
   const Soup soup = from_stream(whole);
   CHECK(soup.polygon_count() == 1);
+  CHECK(soup.corner_colour == std::vector<std::uint32_t>{0xff0000, 0x00ff00, Soup::none});
   CHECK(soup.frame.mm_per_unit == 25.4);
   CHECK(soup.frame.up == mesh::Axis::z);
   CHECK(soup.objects == std::vector<std::pair<std::uint32_t, std::string>>{{0, "sail"}});
@@ -359,6 +362,57 @@ TEST_CASE("COLLADA: skins are where their joints hold them at rest", "[imported]
   CHECK(length(body.high - Vec3{1, 1, 1}) < 1e-6);
   CHECK(length(head.low - Vec3{-0.5, 2.0, -0.5}) < 1e-6);
   CHECK(length(head.high - Vec3{0.5, 3.0, 0.5}) < 1e-6);
+}
+
+TEST_CASE("FBX: a rotation of the axes is taken back before the object's own one", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  std::string fbx = fbx_tower();
+  const std::string model = "\"Mesh\" {\n\t\tVersion: 232\n";
+  REQUIRE(fbx.find(model) != std::string::npos);
+  fbx.insert(fbx.find(model) + model.size(),
+             "\t\tProperties70:  {\n"
+             "\t\t\tP: \"RotationActive\", \"bool\", \"\", \"\",1\n"
+             "\t\t\tP: \"PostRotation\", \"Vector3D\", \"Vector\", \"\",0,0,90\n"
+             "\t\t\tP: \"Lcl Rotation\", \"Lcl Rotation\", \"\", \"A\",0,0,90\n"
+             "\t\t}\n");
+  const Soup turned = imported(fbx, "tower.fbx");
+  const Soup plain = imported(fbx_tower(), "tower.fbx");
+  REQUIRE(turned.points.size() == plain.points.size());
+  for (std::size_t i = 0; i < plain.points.size(); ++i) {
+    CHECK(length(turned.points[i] - plain.points[i]) < 1e-5);
+  }
+}
+
+TEST_CASE("COLLADA: colours of points count on grey materials, unless all are white", "[imported]") {
+  if (!is_built()) {
+    return;
+  }
+  const std::string grey = "0.5 0.5 0.5";
+  const auto tower_in = [](const std::string& colours, const std::string& material) {
+    std::string dae = dae_tower();
+    const std::string orange = "1 0.5 0";
+    dae.replace(dae.find(orange), orange.size(), material);
+    const auto put = [&](const std::string& before, const std::string& what) {
+      dae.insert(dae.find(before), what);
+    };
+    put("<vertices",
+        R"(<source id="c"><float_array id="ca" count="24">)" + colours +
+            R"(</float_array><technique_common><accessor source="#ca" count="8" stride="3">)"
+            R"(<param name="R" type="float"/><param name="G" type="float"/><param name="B" type="float"/>)"
+            R"(</accessor></technique_common></source>)");
+    put("<vcount>", R"(<input semantic="COLOR" source="#c" offset="0" set="0"/>)");
+    return imported(dae, "tower.dae");
+  };
+  const Soup painted = tower_in("0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 0 1 0 0 1 0 0", grey);
+  REQUIRE(painted.corner_colour.size() == painted.corner_point.size());
+  for (std::size_t i = 0; i < painted.corner_point.size(); ++i) {
+    const Vec3 p = painted.points[painted.corner_point[i]];
+    CHECK(painted.corner_colour[i] == (std::max({p.x, p.y, p.z}) > 0.025 ? 0xff0000U : 0x0000ffU));
+  }
+  CHECK(tower_in("1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1", grey).corner_colour.empty());
+  CHECK(tower_in("0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 0 1 0 0 1 0 0", "1 0.5 0").corner_colour.empty());
 }
 
 TEST_CASE("COLLADA: polygons with holes are refused in words of our own", "[imported]") {

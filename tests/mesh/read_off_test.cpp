@@ -41,6 +41,15 @@ TEST_CASE("OFF: what follows points is skipped, colours of faces become material
   CHECK(soup.polygon_material == std::vector<std::uint32_t>{0, 0, Soup::none, Soup::none, 1, 0});
 }
 
+TEST_CASE("OFF: a face may go on in the next lines, where it ends with one") {
+  const std::string start = "OFF\n4 2 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n";
+  const Soup soup = parsed(start + "3 0\n1 # c\n\n2\n4 3 2 \n1 \n0 \n", "off");
+  CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2, 3, 2, 1, 0});
+  CHECK(soup.first_corner == std::vector<std::uint32_t>{0, 3, 7});
+  // The next face's count is no corner.
+  CHECK(refusal(start + "4 0 1 2\n3 1 2 3\n", "off") == "3 model.off, line 7: a corner is missing");
+}
+
 TEST_CASE("OFF: an incomplete file is refused") {
   const std::string text = "OFF\n4 3 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n3 0 1 2\n3 0 1 3\n3 1 2 3\n";
   for (std::size_t size = 4; size < text.size() - 1; ++size) {

@@ -109,6 +109,15 @@ TEST_CASE("PLY: triangle strips turn every other triangle and end at -1") {
   CHECK(soup.corner_point == std::vector<std::uint32_t>{0, 1, 2, 2, 1, 3, 1, 2, 3, 3, 2, 4});
 }
 
+TEST_CASE("PLY: elements without properties take no bytes and no time") {
+  for (const std::string name : {"tristrips", "edge", "nothing"}) {
+    const Soup soup = parsed(
+        ascii(points_header + "element " + name + " 4294967295\n" + faces_header, point_lines + "3 0 1 2\n"),
+        "ply");
+    CHECK(soup.polygon_count() == 1);
+  }
+}
+
 TEST_CASE("PLY: colours and texture coordinates of faces") {
   const std::string colours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   const Soup coloured =

@@ -207,7 +207,7 @@ std::string dae_tower() {
   return R"dae(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="centimeter" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
-<library_effects><effect id="e"><profile_COMMON><technique sid="c"><lambert><diffuse><color>1 0.5 0 1</color></diffuse></lambert></technique></profile_COMMON></effect></library_effects>
+<library_effects><effect id="e"><profile_COMMON><technique sid="c"><lambert><diffuse><color>  1 0.5 0 1 </color></diffuse></lambert></technique></profile_COMMON></effect></library_effects>
 <library_materials><material id="m" name="stone"><instance_effect url="#e"/></material></library_materials>
 <library_geometries><geometry id="g" name="box"><mesh>
 <source id="p"><float_array id="pa" count="24">0 0 0 2 0 0 2 1 0 0 1 0 0 0 3 2 0 3 2 1 3 0 1 3</float_array><technique_common><accessor source="#pa" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>

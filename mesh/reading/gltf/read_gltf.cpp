@@ -273,6 +273,7 @@ class GltfReader {
   /// The same for texture coordinates, by accessor and material.
   std::map<std::pair<std::uint64_t, std::uint64_t>, Coordinates> textured_;
   std::vector<bool> bad_texture_point_;
+  std::map<std::uint64_t, std::uint64_t> packed_in_;  ///< Draco: the view that an accessor's values came from
   std::size_t bad_textures_ = 0;
   std::size_t other_primitives_ = 0;
   bool moves_ = false;  ///< the file has more than the shape at rest
@@ -333,8 +334,14 @@ void GltfReader::unpack(const GltfObject& primitive) {
     const auto attributes = primitive.object("attributes");
     const auto positions = attributes ? attributes->whole("POSITION") : std::nullopt;
     if (!positions || !document_.element("accessors", *positions, *attributes).has("bufferView")) {
-      if (!positions || !accessors_.has(*positions)) {
+      // Primitives may name the same accessors and have points of their own: what counts is what is packed.
+      const std::uint64_t view = draco->needed_whole("bufferView");
+      const auto [packed, fresh] = packed_in_.try_emplace(positions.value_or(Soup::none), view);
+      if (fresh || packed->second != view) {
         unpack_draco(document_, accessors_, primitive, *draco);
+        packed->second = view;
+        placed_.clear();
+        textured_.clear();
       }
     }
   }
@@ -514,6 +521,7 @@ void GltfReader::finish() {
     soup_.remarks.add(RepairKind::motion_ignored);
   }
   soup_.beside_digest = document_.beside_digest();
+  soup_.files_beside = document_.files_beside();
   soup_.frame = {1000.0, Axis::y};
 }
 

@@ -42,12 +42,11 @@ class GltfAccessors {
   [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t i, const GltfObject& user,
                                                    std::size_t limit) const;
 
-  /// What an accessor holds whose values are compressed; the first counts.
-  void put(std::uint64_t i, const GltfValues& values) { read_.try_emplace(i, values); }
+  /// What an accessor holds whose values are compressed; the last counts.
+  void put(std::uint64_t i, GltfValues values) { read_.insert_or_assign(i, std::move(values)); }
   void put_indices(std::uint64_t i, std::vector<std::uint32_t> indices) {
     indices_.insert_or_assign(i, std::move(indices));
   }
-  [[nodiscard]] bool has(std::uint64_t i) const { return read_.contains(i); }
 
  private:
   GltfDocument& document_;

@@ -322,6 +322,12 @@ class StreamReader {
     check_repetitions(source_, source_.bytes.size(), soup_.points.size(), corners);
     soup_.corner_point = indices(corners, soup_.points.size(), false);
     soup_.corner_texture = indices(corners, soup_.texture_points.size(), true);
+    constexpr std::size_t colours = 0x1000000;
+    soup_.corner_colour = indices(corners, colours, true);
+    if (std::all_of(soup_.corner_colour.begin(), soup_.corner_colour.end(),
+                    [](std::uint32_t colour) { return colour == Soup::none; })) {
+      soup_.corner_colour.clear();
+    }
     soup_.polygon_material = indices(polygons, soup_.materials.size(), true);
     complete_textures(soup_, bad_place_);
     check_corner_count(source_, soup_);

@@ -14,7 +14,7 @@
 //   objects    u32 count, each: u32 (from this polygon on), text (name)
 //   polygons   u32 count, u32 each (corners); u32 (all corners), u32 each (point); u32 each (texture point or
 //   none);
-//              u32 for each polygon (material or none)
+//              u32 each (colour of the corner, 0xRRGGBB, or none); u32 for each polygon (material or none)
 //   text       u32 (bytes), the bytes
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace ridgecraft::mesh::imported {
 
-inline constexpr std::string_view start = "ridgecraft soup 1\n";
+inline constexpr std::string_view start = "ridgecraft soup 2\n";
 inline constexpr std::string_view end = "end of soup\n";
 
 inline constexpr std::uint32_t kind_soup = 0;
