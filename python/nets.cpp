@@ -302,7 +302,10 @@ py::object open_project(const std::string& file, const std::string& bytes, const
       [file, bytes, folder](const Context& context) {
         const session::ProjectFile project = session::read_project(file, bytes);
         for (const auto& [name, bytes] : project.files) {
-          std::ofstream(std::filesystem::path(folder) / name, std::ios::binary) << bytes;
+          std::ofstream out(std::filesystem::path(folder) / name, std::ios::binary);
+          if (!(out << bytes).flush()) {
+            throw Error(ErrorKind::cant_write, "can't write the project's " + name + " into " + folder);
+          }
         }
         return std::make_shared<const job::Result>(opened(project, folder, context));
       },

@@ -17,6 +17,7 @@
 #include "base/context.hpp"
 #include "base/encodings.hpp"
 #include "base/error.hpp"
+#include "base/option_table.hpp"
 #include "base/text.hpp"
 #include "export/export.hpp"
 #include "mesh/reading/text_scanner.hpp"
@@ -192,6 +193,9 @@ class ProjectReader {
     project.edits = text(contents, "edits");
     project.digest = text(contents, export_::mark_key);
     project.words = texts(contents, "words");
+    for (const std::string& word : project.words) {
+      check_word(word);
+    }
     for (const std::string& name : texts(contents, "files")) {
       if (!is_plain_name(name)) {
         refuse_damaged("a name in it leads elsewhere");
@@ -235,6 +239,16 @@ class ProjectReader {
       refuse_damaged(fmt::format("{} has no list of {}", contents_name, key));
     }
     return found->get<std::vector<std::string>>();
+  }
+
+  void check_word(std::string_view word) const {
+    const std::string_view option = word.substr(0, word.find('='));
+    const bool known = std::any_of(option_table().begin(), option_table().end(), [&](const Option& row) {
+      return option == "--" + std::string(row.name) && !is_of_run(row.name);
+    });
+    if (!known) {
+      refuse_damaged("it asks for " + in_quotes(word));
+    }
   }
 
   void check_edits(const std::string& edits) const {
@@ -300,6 +314,13 @@ bool holds_project(std::string_view bytes) {
   constexpr std::size_t header = 30;
   return mesh::is_zip(bytes) ? bytes.size() > header && bytes.substr(header).starts_with(contents_name)
                              : packed_in_page(bytes, page_start).has_value();
+}
+
+bool is_of_run(std::string_view option) {
+  constexpr std::array<std::string_view, 10> of_run{"output",  "no-guide",  "no-page", "overwrite",
+                                                    "strict",  "json",      "quiet",   "verbose",
+                                                    "threads", "time-limit"};
+  return std::find(of_run.begin(), of_run.end(), option) != of_run.end();
 }
 
 ProjectFile read_project(const std::string& file, std::string_view bytes) {

@@ -24,13 +24,18 @@ struct ProjectFile {
 /// large it is. None where it can.
 [[nodiscard]] std::optional<std::string> why_no_project(const ProjectFile& project);
 
+/// Whether an option is about a run and its files ("output"), not about the paper: projects have none such.
+[[nodiscard]] bool is_of_run(std::string_view option);
+
 /// The bytes of the archive, the same for equal projects, one that can be written. O(n).
 [[nodiscard]] std::string write_project(const ProjectFile& project);
 
 /// Whether these bytes are a project, or a page that holds one.
 [[nodiscard]] bool holds_project(std::string_view bytes);
 
-/// `file` is what messages call it. Names of files in it are plain: none leads into a folder. Throws
+/// `file` is what messages call it. Names of files in it are plain: none leads into a folder; its
+/// words are options that are known and not of a run: a file of somebody else's may say nothing of where
+/// results go. Throws
 /// Error(unreadable_input). O(n).
 [[nodiscard]] ProjectFile read_project(const std::string& file, std::string_view bytes);
 

@@ -16,6 +16,7 @@
 #include "cli/arguments/verbs.hpp"
 #include "cli/files/formats.hpp"
 #include "job/asked_options.hpp"
+#include "session/project_file.hpp"
 
 namespace ridgecraft::cli {
 namespace {
@@ -338,7 +339,7 @@ std::string bare_name(const std::string& file) {
 std::vector<std::string> words_of(const job::AskedOptions& asked) {
   std::vector<std::string> words;
   for (const Option& row : option_table()) {
-    if (!asked.given(row.name) || is_of_run(row.name)) {
+    if (!asked.given(row.name) || session::is_of_run(row.name)) {
       continue;
     }
     const std::string word = "--" + std::string(row.name);
@@ -379,13 +380,6 @@ MakeJob job_of(const job::AskedOptions& asked, std::string model) {
 }
 
 }  // namespace
-
-bool is_of_run(std::string_view option) {
-  constexpr std::array<std::string_view, 10> of_run{"output",  "no-guide",  "no-page", "overwrite",
-                                                    "strict",  "json",      "quiet",   "verbose",
-                                                    "threads", "time-limit"};
-  return std::find(of_run.begin(), of_run.end(), option) != of_run.end();
-}
 
 Job build_make(const Arguments* arguments, Manual* manual) {
   Verb verb("ridgecraft",

@@ -9,9 +9,6 @@
 
 namespace ridgecraft::cli {
 
-/// Whether an option is about a run and its files ("output"), not about the paper: projects have none such.
-[[nodiscard]] bool is_of_run(std::string_view option);
-
 /// Each parses the arguments into a job, or, without arguments, fills in the manual.
 [[nodiscard]] Job build_make(const Arguments* arguments, Manual* manual);
 [[nodiscard]] Job build_info(const Arguments* arguments, Manual* manual);

@@ -71,19 +71,11 @@ std::string_view option_of(std::string_view word) {
   return word.substr(0, word.find('='));
 }
 
-/// The project's words, with files where they lie now. Throws Error(unreadable_input) for words that no
-/// project has: a file of somebody else's may say nothing of where results go.
-std::vector<std::string> words_of(const session::ProjectFile& project, const fs::path& folder,
-                                  const std::string& file) {
+/// The project's words, with files where they lie now.
+std::vector<std::string> words_of(const session::ProjectFile& project, const fs::path& folder) {
   std::vector<std::string> words = project.words;
   for (std::string& word : words) {
-    const auto row = std::ranges::find_if(option_table(), [&](const Option& option) {
-      return option_of(word) == "--" + std::string(option.name);
-    });
-    if (row == option_table().end() || is_of_run(row->name)) {
-      throw Error(ErrorKind::unreadable_input, file + " is a damaged project: it asks for " + word, file);
-    }
-    if (row->kind == OptionKind::file) {
+    if (option_row(option_of(word).substr(2)).kind == OptionKind::file) {
       const std::size_t name = word.find('=') + 1;
       word = word.substr(0, name) + (folder / fs::path(word.substr(name)).filename()).string();
     }
@@ -142,7 +134,7 @@ UnpackedProject::UnpackedProject(session::ProjectFile project) : project_(std::m
 MakeJob UnpackedProject::job(const MakeJob& asked, const std::vector<std::string>& words) const {
   std::vector<std::string> all;
   std::ranges::copy_if(
-      words_of(project_, folder_.path, asked.model), std::back_inserter(all), [&](const std::string& word) {
+      words_of(project_, folder_.path), std::back_inserter(all), [&](const std::string& word) {
         return std::ranges::none_of(
             asked.words, [&](const std::string& own) { return option_of(own) == option_of(word); });
       });
