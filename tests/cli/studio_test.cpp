@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 
+#include "base/encodings.hpp"
 #include "base/error.hpp"
 #include "cli/arguments/parse.hpp"
 #include "cli/jobs/studio_job.hpp"
@@ -65,14 +66,18 @@ TEST_CASE("the studio refuses what it does itself, and what the main job refuses
 TEST_CASE("the studio's page has the model, what its materials name, and the words", "[studio]") {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "textures");
-  write_bytes(folder / "a<b>.obj", "mtllib skin.mtl\nv 0 0 0\n");
-  write_bytes(folder / "skin.mtl", "newmtl a\nmap_Kd textures/wood.png\n");
+  const std::string model =
+      "mtllib skin.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\nusemtl b\nf 3/1 2/1 "
+      "1/1\n";
+  const std::string picture =
+      read_bytes(std::string(RIDGECRAFT_SOURCE_DIR) + "/tests/fuzz/corpus/picture/small.png");
+  write_bytes(folder / "a<b>.obj", model);
   write_bytes(folder / "other.mtl", "newmtl b\n");
-  write_bytes(folder / "textures/wood.png", "\x89PNG");
-  write_bytes(folder / "secret.png", "\x89PNG");
+  write_bytes(folder / "textures/wood.png", picture);
+  write_bytes(folder / "secret.png", picture);
   // What lies elsewhere stays there, although a link to it has the name of a picture.
   const TemporaryFolder elsewhere;
-  write_bytes(elsewhere / "private.png", "private");
+  write_bytes(elsewhere / "private.png", picture);
   std::filesystem::create_symlink(elsewhere / "private.png", folder / "link.png");
   write_bytes(folder / "skin.mtl", "newmtl a\nmap_Kd textures/wood.png\nnewmtl b\nmap_Kd link.png\n");
   const StudioJob job{(folder / "a<b>.obj").string(), {"--only", "</script>"}, true};
@@ -83,9 +88,9 @@ TEST_CASE("the studio's page has the model, what its materials name, and the wor
   CHECK(start["name"] == "a<b>.obj");
   CHECK(start["words"] == nlohmann::json{"--only", "</script>"});
   CHECK(start["files"].size() == 3);
-  CHECK(start["files"]["a<b>.obj"] == "bXRsbGliIHNraW4ubXRsCnYgMCAwIDAK");
+  CHECK(start["files"]["a<b>.obj"] == base64(model));
   CHECK(start["files"].contains("skin.mtl"));
-  CHECK(start["files"]["wood.png"] == "iVBORw==");
+  CHECK(start["files"]["wood.png"] == base64(picture));
 
   CHECK(start_in(studio_page(frame, StudioJob{})).empty());
   CHECK_THROWS_AS(studio_page("<p>another page</p>", job), Error);
