@@ -20,10 +20,12 @@
 #include "base/text.hpp"
 #include "export/formats/cairo_page.hpp"
 #include "export/formats/pdf_file.hpp"
+#include "export/formats/pdf_words.hpp"
 #include "export/formats/text_file.hpp"
 #include "export/formats/write.hpp"
 #include "export/machine/operations.hpp"
 #include "export/style/line_style.hpp"
+#include "export/style/stroke_font.hpp"
 
 namespace ridgecraft::export_ {
 namespace {
@@ -70,6 +72,7 @@ class PdfAssembler {
   PdfAssembler(std::span<const Drawing> pages, bool duplex, const Mark& mark)
       : pages_(pages), duplex_(duplex), mark_(mark) {
     pdf_.emptyPDF();
+    words_resources_ = pdf_.makeIndirectObject(QPDFObjectHandle::newDictionary());
     contents_.resize(pages.size());
     for (std::size_t i = 0; i < pages.size(); ++i) {
       resources_.push_back(QPDFObjectHandle::newDictionary());
@@ -84,6 +87,9 @@ class PdfAssembler {
         add_layer(layer);
       }
     }
+    QPDFObjectHandle fonts = QPDFObjectHandle::newDictionary();
+    fonts.replaceKey("/Words", words_.font(pdf_));
+    words_resources_.replaceKey("/Font", fonts);
     add_pages();
     add_catalogue();
     add_information(pdf_, mark_);
@@ -119,7 +125,44 @@ class PdfAssembler {
       const std::string name = fmt::format("/{}", id(layer));
       resources_[i].replaceKey(name, form);
       contents_[i] += name + " Do\n";
+      if (layer != Layer::paint) {
+        add_words(i, layer, group);
+      }
     }
+  }
+
+  /// The words of a layer over their letters, but for those that are set in a font and words by themselves.
+  void add_words(std::size_t page, Layer layer, const QPDFObjectHandle& group) {
+    std::string content;
+    for (const Group& part : pages_[page].groups) {
+      for (const Text& text : part.texts) {
+        if (text.layer == layer && stroke_font_covers(text.text)) {
+          content += words_.show(text);
+        }
+      }
+    }
+    if (content.empty()) {
+      return;
+    }
+    QPDFObjectHandle form = pdf_.newStream(content);
+    QPDFObjectHandle dictionary = form.getDict();
+    dictionary.replaceKey("/Type", QPDFObjectHandle::newName("/XObject"));
+    dictionary.replaceKey("/Subtype", QPDFObjectHandle::newName("/Form"));
+    dictionary.replaceKey("/BBox", box_of(page));
+    dictionary.replaceKey("/Resources", words_resources_);
+    dictionary.replaceKey("/OC", group);
+    const std::string name = fmt::format("/{}-words", id(layer));
+    resources_[page].replaceKey(name, form);
+    contents_[page] += name + " Do\n";
+  }
+
+  [[nodiscard]] QPDFObjectHandle box_of(std::size_t page) const {
+    const Vec2 size = points_per_mm * pages_[page].size;
+    QPDFObjectHandle box = QPDFObjectHandle::newArray();
+    for (const double value : {0.0, 0.0, size.x, size.y}) {
+      box.appendItem(real(value));
+    }
+    return box;
   }
 
   /// A page of a layer's file as a form. Cairo's pages have one content stream: it is taken as it is,
@@ -151,11 +194,7 @@ class PdfAssembler {
   void add_pages() {
     QPDFPageDocumentHelper document(pdf_);
     for (std::size_t i = 0; i < pages_.size(); ++i) {
-      QPDFObjectHandle box = QPDFObjectHandle::newArray();
-      for (const double value :
-           {0.0, 0.0, pages_[i].size.x * points_per_mm, pages_[i].size.y * points_per_mm}) {
-        box.appendItem(real(value));
-      }
+      const QPDFObjectHandle box = box_of(i);
       QPDFObjectHandle resources = QPDFObjectHandle::newDictionary();
       resources.replaceKey("/XObject", resources_[i]);
       QPDFObjectHandle page = QPDFObjectHandle::newDictionary();
@@ -218,6 +257,8 @@ class PdfAssembler {
   std::vector<std::pair<Layer, QPDFObjectHandle>> groups_;  ///< bottom to top
   std::vector<QPDFObjectHandle> resources_;
   std::vector<std::string> contents_;
+  PdfWords words_;
+  QPDFObjectHandle words_resources_;
 };
 
 }  // namespace
@@ -259,6 +300,7 @@ std::string write_guide_pdf(std::span<const Drawing> pages, const Mark& mark) {
     });
     QPDF pdf;
     pdf.processMemoryFile("guide", painted.data(), painted.size());
+    add_tagged_words(pdf, pages);
     add_viewer_preferences(pdf);
     Mark own = mark;
     own.title += ": how to build it";

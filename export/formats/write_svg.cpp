@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SVG of one page, or of all pages side by side: plain XML in true millimetres, y down, a layer for each
-// class of line, presentation attributes only (no CSS, no transforms, no reuse), since cutters' importers
-// understand little more.
+// class of line, presentation attributes only (no CSS, no reuse), since importers understand little more.
+// Only texts are turned.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -184,42 +184,48 @@ class PageWriter {
     append(out_, " d=\"{}\"/>\n", path(line.points, line.closed));
   }
 
-  void write_text(const Text& text) {
-    if (!stroke_font_covers(text.text)) {
-      write_real_text(text);
-      return;
-    }
-    std::string d;
-    for (const auto& stroke : text_strokes(text)) {
-      d += (d.empty() ? "" : " ") + path(stroke, false);
-    }
-    if (d.empty()) {
-      return;
-    }
-    if (text.layer == Layer::paint) {
-      append(out_, "      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" d=\"{}\"/>\n",
-             color(color_of(text)), decimals(pen_width(text) + 2.0 * halo_mm), d);
-      return;
-    }
-    // The words stay in the file for people who search it and for programs that read it aloud.
-    append(out_, "      <path fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" aria-label=\"{}\" d=\"{}\"/>\n",
-           color(color_of(text)), decimals(pen_width(text)), escaped(text.text), d);
+  /// Letters of a font have room on either side, where strokes end with the pen; and figures of strokes may
+  /// be too narrow for it.
+  static double width_in_font(const Text& text, double em) {
+    constexpr double sides = 0.16;
+    constexpr double least = 0.45;  // of a letter
+    return std::max(text_width(text.text, text.height) + sides * em,
+                    least * em * static_cast<double>(code_points(text.text).size()));
   }
 
-  void write_real_text(const Text& text) {
-    const Vec2 down{elementary::sin(text.angle), -elementary::cos(text.angle)};
-    // From the left end of its estimated box: only titles can be such texts.
-    const double half = 0.5 * text_width(text.text, text.height);
-    const Vec2 baseline = text.centre + 0.5 * text.height * down + half * perpendicular(-down);
+  /// Text that is found, copied and read aloud. It is as wide as the page has room for, whichever font a
+  /// viewer takes; where the alphabet of strokes doesn't know it, that width is but an estimate.
+  void write_text(const Text& text) {
+    if (text.text.empty()) {
+      return;
+    }
+    const double em = text.height * font_size_per_height;
+    const double width = width_in_font(text, em);
+    const Vec2 along{elementary::cos(text.angle), elementary::sin(text.angle)};
+    const Vec2 baseline = text.centre - 0.5 * width * along - 0.5 * text.height * perpendicular(along);
     append(out_, "      <text x=\"{}\" y=\"{}\"", x(baseline), y(baseline));
     if (std::abs(text.angle) > 0.0) {
-      append(out_, " transform=\"rotate({} {} {})\"", decimals(-text.angle * 180.0 / 3.14159265358979323846),
+      append(out_, " transform=\"rotate({} {} {})\"", decimals(-text.angle * 180.0 / std::numbers::pi),
              x(baseline), y(baseline));
     }
-    append(out_,
-           " font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\" "
-           "stroke=\"none\">{}</text>\n",
-           decimals(text.height * font_size_per_height), color(color_of(text)), escaped(text.text));
+    append(out_, " font-family=\"sans-serif\" font-size=\"{}\" fill=\"{}\"", decimals(em),
+           color(color_of(text)));
+    if (width > 0.0 && stroke_font_covers(text.text)) {
+      append(out_, " textLength=\"{}\" lengthAdjust=\"spacingAndGlyphs\"", decimals(width));
+    }
+    if (text.layer == Layer::piece_name) {
+      out_ += " font-weight=\"bold\"";
+    }
+    if (text.underlined) {
+      out_ += " text-decoration=\"underline\"";
+    }
+    if (text.layer == Layer::paint) {  // a halo below the words themselves
+      append(out_, " stroke=\"{}\" stroke-width=\"{}\" aria-hidden=\"true\"", color(color_of(text)),
+             decimals(2.0 * halo_mm));
+    } else {
+      out_ += " stroke=\"none\"";
+    }
+    append(out_, ">{}</text>\n", escaped(text.text));
   }
 
   const Drawing& page_;

@@ -113,7 +113,7 @@ class Rows {
 
   void heading(std::string_view words) {
     at_.y -= heading_height_mm;
-    group_.texts.push_back(words_from(words, at_, heading_height_mm, Weight::bold));
+    group_.texts.push_back(words_from(words, at_, heading_height_mm, Weight::heading));
     at_.y -= text_step_mm;
   }
   /// A grey word and what it is.
@@ -239,11 +239,12 @@ Group cover(const GuideModel& guide, const Context& context) {
   const Box2 room = guide.sheet.room();
   group.texts.push_back(words_from(shortened(guide.title, room.size().x, title_height_mm),
                                    {room.low.x, room.high.y - title_height_mm}, title_height_mm,
-                                   Weight::bold));
+                                   Weight::title));
   const double facts_top = room.low.y + facts_height_mm + (has_feet(guide) ? feet_advice_height_mm : 0.0);
   constexpr double gap = 8.0;
   const Box2 frame{{room.low.x + gap, facts_top + gap},
                    {room.high.x - gap, room.high.y - title_height_mm - gap}};
+  group.figures.push_back({frame, "The finished model", group.texts.size()});
   const Viewpoint& side = guide_sides().front();
   const Camera camera = look_from(guide.shown, side.azimuth, side.elevation);
   const Fit fit = fit_into(seen_box(guide.scene, camera), frame);

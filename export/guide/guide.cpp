@@ -198,7 +198,7 @@ class Overview {
     group_.id = "overview";
     room_ = guide.sheet.room();
     group_.texts.push_back(words_from("Where each piece goes", {room_.low.x, room_.high.y - page_heading_mm},
-                                      page_heading_mm, Weight::bold));
+                                      page_heading_mm, Weight::heading));
     room_.high.y -= page_heading_mm + gap_mm;
     room_.low.y += note_height_mm;
     for (const Viewpoint& side : guide_sides()) {
@@ -286,6 +286,9 @@ class Overview {
     const Box2 cell = cell_of(i);
     const Box2 frame{cell.low + Vec2{0.0, caption_height_mm + caption_gap_mm}, cell.high};
     const Fit fit = fit_at_scale(view.seen, arrangement_.scale, frame);
+    const std::string caption = caption_of(drawn_[i]);
+    group_.figures.push_back(
+        {frame, "The finished model " + caption + ", and which piece is where", group_.texts.size()});
     add_picture(
         {guide_.scene, *guide_.nets, view.camera, fit},
         [&](PieceId piece) -> const PieceLook& { return guide_.looks[piece]; }, group_, context_);
@@ -314,7 +317,6 @@ class Overview {
     for (std::size_t k = texts_before; k < group_.texts.size(); ++k) {
       foot = std::min(foot, group_.texts[k].centre.y - 0.5 * name_height_mm);
     }
-    const std::string caption = caption_of(drawn_[i]);
     group_.texts.push_back(
         in_grey(words_from(caption,
                            {middle - 0.5 * text_width(caption, caption_height_mm),

@@ -113,6 +113,10 @@ class StepPages {
       const auto append = [](auto& to, auto& from) {
         to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
       };
+      for (Figure& figure : cells[i].figures) {
+        figure.texts_before += page.texts.size();
+      }
+      append(page.figures, cells[i].figures);
       append(page.areas, cells[i].areas);
       append(page.lines, cells[i].lines);
       append(page.texts, cells[i].texts);
@@ -280,11 +284,11 @@ class StepPages {
     group.lines.push_back(guide_rule({box.low.x, box.high.y}, box.high));
     const std::string number = std::to_string(index + 1);
     const Vec2 base{box.low.x, box.high.y - number_height - 2.2};
-    group.texts.push_back(words_from(number, base, number_height, Weight::bold));
+    group.texts.push_back(words_from(number, base, number_height, Weight::heading));
     const double left = base.x + text_width(number, number_height) + 0.8 * number_height;
     const double end = box.high.x - grid_.net_width;
     const std::string title = shortened(step_title(*guide_.nets, steps_[index]), end - left, name_height);
-    group.texts.push_back(words_from(title, {left, base.y}, name_height, Weight::bold));
+    group.texts.push_back(words_from(title, {left, base.y}, name_height, Weight::heading));
     const double after = left + text_width(title, name_height) + number_height;
     if (!turned.empty() && after + text_width(turned, grid_.words_height) < end) {
       group.texts.push_back(in_grey(words_from(turned, {after, base.y}, grid_.words_height)));
@@ -371,7 +375,9 @@ class StepPages {
     for (std::size_t i = 0; i < shown.size(); ++i) {
       below -= i > 0 ? gap : 0.0;
       const Box2 frame{{left, below - height}, {picture.high.x, below}};
-      below = add_net_picture(guide_, shown[i], frame, group).low.y;
+      const Box2 net = add_net_picture(guide_, shown[i], frame, group);
+      group.figures.push_back({net, "The net of " + guide_.nets->pieces[shown[i]].name, group.texts.size()});
+      below = net.low.y;
       if (shown.size() > 1) {
         below -= name_row;
         group.texts.push_back(in_grey(
@@ -423,10 +429,21 @@ class StepPages {
     std::optional<Box2> crop = {};  ///< nothing is drawn beyond it
   };
 
+  /// "C and D, glued to A"
+  [[nodiscard]] std::string words_of_picture(std::size_t index) const {
+    std::vector<std::string> before;
+    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
+      before.push_back(guide_.nets->pieces[piece].name);
+    }
+    return step_title(*guide_.nets, steps_[index]) +
+           (before.empty() ? ", folded" : ", glued to " + listed(before, "and"));
+  }
+
   void add_step_picture(StepPicture picture, Group& group, const Context& context) const {
     picture.frame = frame_in(picture.index, picture.box);
     const auto [part, fit] = place_in(picture.index, picture.step, picture.frame);
     picture.fit = fit;
+    group.figures.push_back({picture.frame, words_of_picture(picture.index), group.texts.size()});
     if (part) {
       const Box2 crop{fit(part->low), fit(part->high)};
       picture.crop = crop;

@@ -24,7 +24,8 @@ namespace {
 
 Text words_at(std::string_view words, Vec2 left, double height, Weight weight) {
   Text text;
-  text.layer = weight == Weight::bold ? Layer::piece_name : Layer::mark;
+  text.layer = weight == Weight::plain ? Layer::mark : Layer::piece_name;
+  text.heading = weight == Weight::title ? 1 : weight == Weight::heading ? 2 : 0;
   text.text = words;
   text.centre = left + Vec2{0.5 * text_width(words, height), 0.5 * height};
   text.height = height;

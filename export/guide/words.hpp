@@ -17,7 +17,12 @@
 
 namespace ridgecraft::export_ {
 
-enum class Weight { plain, bold };
+enum class Weight {
+  plain,
+  bold,
+  heading,  ///< bold, and what the words below it are about
+  title,    ///< that of the whole guide
+};
 
 /// A text whose baseline begins at `at`.
 [[nodiscard]] Text words_from(std::string_view words, Vec2 at, double height, Weight weight = Weight::plain);

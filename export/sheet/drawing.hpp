@@ -3,6 +3,7 @@
 // a format knows nothing but this.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -99,6 +100,14 @@ struct Text {
   bool underlined = false;          ///< a number that is another number upside down
   Tone tone = Tone::dark;           ///< of paint: a halo, whatever stands here
   std::optional<Color> color = {};  ///< instead of that of its layer and tone
+  unsigned heading = 0;             ///< 1 for the title of a guide, 2 for what is below it; else 0
+};
+
+/// A picture of a guide as it is told to people who don't see it.
+struct Figure {
+  Box2 place;
+  std::string words;
+  std::size_t texts_before = 0;  ///< of its group, those that are read before it
 };
 
 /// One colour on several polygons, each counterclockwise; of the layer paint. Where polygons meet no ground
@@ -123,9 +132,10 @@ struct Group {
   std::vector<Line> lines;
   std::vector<Area> areas;
   std::vector<Text> texts;
-  std::vector<Fill> ground;   ///< the lowest: what may reach under other pieces' colours
-  std::vector<Image> images;  ///< over the ground
-  std::vector<Fill> fills;    ///< over pictures
+  std::vector<Fill> ground;          ///< the lowest: what may reach under other pieces' colours
+  std::vector<Image> images;         ///< over the ground
+  std::vector<Fill> fills;           ///< over pictures
+  std::vector<Figure> figures = {};  ///< of guides
 };
 
 /// One page, millimetres, origin at the lower left corner of the sheet, y up.

@@ -271,6 +271,26 @@ TEST_CASE("no word of a guide needs a font of the machine", "[guide]") {
   }
 }
 
+TEST_CASE("a guide is tagged: headings, paragraphs, and pictures with words", "[guide]") {
+  const Drawn drawn = draw(bracket(), 30.0);
+  const std::string bytes = export_::write_guide_pdf(drawn.guide.pages, {"ridgecraft 0.1.0", "bracket", "0"});
+  const auto count = [&](const std::string& words) {
+    std::size_t found = 0;
+    for (std::size_t at = bytes.find(words); at != std::string::npos; at = bytes.find(words, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  CHECK(count("/Marked true") == 1);
+  CHECK(count("/StructTreeRoot") >= 1);
+  CHECK(count("/S /H1") == 1);
+  CHECK(count("/S /H2") >= drawn.guide.steps);
+  CHECK(count("/S /P") > drawn.guide.steps);
+  CHECK(count("/S /Figure") > drawn.guide.steps);
+  CHECK(count("/S /Figure") == count("/Alt "));
+  CHECK(count("/StructParents ") == drawn.guide.pages.size());
+}
+
 TEST_CASE("a guide is the same on one thread and on three", "[guide]") {
   const auto bytes = [](unsigned threads) {
     return export_::write_guide_pdf(draw(bracket(), 30.0, true, threads).guide.pages,

@@ -41,6 +41,7 @@ void check_content(std::string_view bytes) {
                                          },
                                      .object = [](std::string_view, const verify::InkState&) {},
                                      .hides_lines = [](std::string_view name) { return name == "a"; },
+                                     .text = [](const verify::InkText&, const verify::InkState&) {},
                                      .other = [] {}};
   try {
     verify::read_content(bytes, {}, events);

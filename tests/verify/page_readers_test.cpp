@@ -43,6 +43,7 @@ std::vector<std::pair<InkPath, InkState>> strokes_of(std::string_view content) {
       .hides_lines = [](std::string_view name) -> std::optional<bool> {
         return name == "thick" ? std::nullopt : std::optional(name == "clear");
       },
+      .text = [](const InkText&, const InkState&) {},
       .other = [] {}};
   read_content(content, {}, events);
   return strokes;

@@ -286,6 +286,44 @@ TEST_CASE("a wrong size of the sheet and a wrong scale bar are found", "[pages]"
   });
 }
 
+TEST_CASE("numbers and names that were exchanged, changed or taken away are found", "[pages]") {
+  const auto texts_of = [](PrintedPage& of, PrintedLayer layer) {
+    std::vector<verify::PrintedText*> texts;
+    for (verify::PrintedText& text : of.texts) {
+      if (text.layer == layer) {
+        texts.push_back(&text);
+      }
+    }
+    REQUIRE(texts.size() > 2);
+    return texts;
+  };
+  check_found("where it joins nothing", [&](PrintedPage& of) {
+    const auto numbers = texts_of(of, PrintedLayer::label);
+    verify::PrintedText& first = *numbers.front();
+    verify::PrintedText& farthest =
+        **std::max_element(numbers.begin(), numbers.end(), [&](const auto* a, const auto* b) {
+          return length(a->from - first.from) < length(b->from - first.from);
+        });
+    std::swap(first.words, farthest.words);
+  });
+  check_found("has the number 9999",
+              [&](PrintedPage& of) { texts_of(of, PrintedLayer::label).front()->words = "A:9999"; });
+  check_found("lacks the number", [&](PrintedPage& of) {
+    const std::string gone = texts_of(of, PrintedLayer::label).front()->words;
+    std::erase_if(of.texts, [&](const verify::PrintedText& text) { return text.words == gone; });
+  });
+  check_found("has the name of", [&](PrintedPage& of) {
+    for (verify::PrintedText* text : texts_of(of, PrintedLayer::name)) {
+      text->from = text->to = {-100.0, -100.0};
+    }
+  });
+  check_found("another length than its scale bar has", [](PrintedPage& of) {
+    for (verify::PrintedText& text : of.texts) {
+      text.words = text.words == "50 mm" ? "60 mm" : text.words;
+    }
+  });
+}
+
 TEST_CASE("pages that are exchanged are found", "[pages]") {
   for (const bool of_pdf : {false, true}) {
     Pages pages = test::whale().pages(of_pdf);

@@ -80,6 +80,16 @@ std::vector<Bar> find_bars(const PrintedPage& page) {
   return bars;
 }
 
+/// Whether the length stands in words where the bar ends.
+bool says_length_of_bar(const PrintedPage& page) {
+  constexpr double gap_mm = 4.0;
+  const std::vector<Bar> bars = find_bars(page);
+  return bars.size() != 1 || std::any_of(page.texts.begin(), page.texts.end(), [&](const PrintedText& text) {
+           return length(text.from - Vec2{bars[0].high, bars[0].y}) <= gap_mm &&
+                  text.words == fmt::format("{:.0f} mm", bars[0].length());
+         });
+}
+
 /// The bars that a page may have, longest first.
 std::vector<double> possible_lengths(double room_mm) {
   std::vector<double> lengths;
@@ -190,6 +200,8 @@ std::optional<Kinds> kinds_of(const PrintedLine& line) {
     case PrintedLayer::glue:
       return line.pattern == Pattern::dashed ? std::optional(only(LineKind::glue)) : std::nullopt;
     case PrintedLayer::mark:
+    case PrintedLayer::label:
+    case PrintedLayer::name:
     case PrintedLayer::other:
       break;
   }
@@ -209,6 +221,8 @@ const char* layer_words(PrintedLayer layer) {
     case PrintedLayer::glue:
       return "glue spot";
     case PrintedLayer::mark:
+    case PrintedLayer::label:
+    case PrintedLayer::name:
     case PrintedLayer::other:
       break;
   }
@@ -232,11 +246,21 @@ struct Sum {
   }
 };
 
+/// A page of the nets, and what is printed as that.
+using PageOf = std::pair<Index, const PrintedPage*>;
+
 class PageCheck {
  public:
-  PageCheck(const Case& given, const std::vector<NetPage>& nets, const PrintedPage& printed, Index page,
+  /// `lists_numbers`: some page has a list of numbers that stand nowhere on their pieces.
+  PageCheck(const Case& given, const std::vector<NetPage>& nets, const PageOf& page, bool lists_numbers,
             Findings& findings)
-      : given_(given), nets_(nets), net_(nets[page]), printed_(printed), page_(page), findings_(findings) {}
+      : given_(given),
+        nets_(nets),
+        net_(nets[page.first]),
+        printed_(*page.second),
+        page_(page.first),
+        lists_numbers_(lists_numbers),
+        findings_(findings) {}
 
   void run() {
     check_size();
@@ -250,6 +274,14 @@ class PageCheck {
     const Page& sheet = given_.file.pages[page_];
     if (const auto fault = fault_of_bar(printed_, sheet.printable_high.x - sheet.printable_low.x)) {
       add(fmt::format("{} {}", printed_.name, *fault));
+    }
+    if (given_.file.is_ours()) {
+      if (!says_length_of_bar(printed_)) {
+        add(fmt::format("{} says another length than its scale bar has", printed_.name));
+      }
+      for (const std::string& fault : faults_of_words(given_, page_, printed_, lists_numbers_)) {
+        add(fmt::format("{} {}", printed_.name, fault));
+      }
     }
   }
 
@@ -425,6 +457,7 @@ class PageCheck {
   const NetPage& net_;
   const PrintedPage& printed_;
   Index page_;
+  bool lists_numbers_;
   Findings& findings_;
   std::vector<Segment> drawn_;
 };
@@ -467,7 +500,7 @@ class PageList {
     }
   }
 
-  [[nodiscard]] const std::vector<std::pair<Index, const PrintedPage*>>& pages() const { return pages_; }
+  [[nodiscard]] const std::vector<PageOf>& pages() const { return pages_; }
 
  private:
   void fault(const std::string& message) {
@@ -519,7 +552,7 @@ class PageList {
   std::size_t unnumbered_ = 0;
   std::optional<std::size_t> count_;  ///< of pages, as the first file says that tells it
   std::set<Index> single_;            ///< given as a file of their own
-  std::vector<std::pair<Index, const PrintedPage*>> pages_;
+  std::vector<PageOf> pages_;
 };
 
 }  // namespace
@@ -544,9 +577,10 @@ void check_pages(const Case& given, std::span<const PrintedFile> printed, Findin
     nets.emplace_back(std::move(page));
   }
   std::set<Index> seen;
-  for (const auto& [page, printed_page] : list.pages()) {
-    seen.insert(page);
-    PageCheck(given, nets, *printed_page, page, findings).run();
+  const bool lists_numbers = std::any_of(printed.begin(), printed.end(), has_list_of_numbers);
+  for (const PageOf& page : list.pages()) {
+    seen.insert(page.first);
+    PageCheck(given, nets, page, lists_numbers, findings).run();
   }
   findings.printed().pages = list.pages().size();
   findings.printed().pages_not_given = nets.size() - seen.size();

@@ -23,6 +23,17 @@ namespace ridgecraft::verify {
 /// aren't missed, but for those of a file that has to be whole. O(n log n).
 void check_pages(const Case& given, std::span<const PrintedFile> printed, Findings& findings);
 
+// Words: numbers of joins, names of pieces, the length of the bar.
+
+/// Whether it lists numbers that have no room at their edges.
+[[nodiscard]] bool has_list_of_numbers(const PrintedFile& file);
+
+/// What is wrong with the words of a page, as half sentences: each number stands at an edge that it joins, or
+/// a line leads from it to one; each piece has the numbers of all its seams, unless there are lists of those
+/// that have no room; names stand at their pieces. O(n log n).
+[[nodiscard]] std::vector<std::string> faults_of_words(const Case& given, Index page,
+                                                       const PrintedPage& printed, bool lists_numbers);
+
 // Lines as a set of points: whether another line lies on them, however the two are divided into segments.
 
 struct Segment {

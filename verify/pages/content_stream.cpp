@@ -17,6 +17,7 @@ struct ContentToken {
   Kind kind = Kind::end;
   double number = 0.0;
   std::string_view text;  ///< of a name without its slash, or of a word
+  std::string codes;      ///< of a hexadecimal text
 };
 
 constexpr std::string_view blanks{"\0\t\n\f\r ", 6};
@@ -74,12 +75,28 @@ void skip_dictionary(std::string_view& bytes) {
   } while (depth > 0);
 }
 
-void skip_hexadecimal(std::string_view& bytes) {
+/// "<48 69>"; a digit that is missing at the end is 0.
+std::string take_hexadecimal(std::string_view& bytes) {
   const std::size_t end = bytes.find('>');
   if (end == std::string_view::npos) {
     cannot_check("a text in its content has no end");
   }
+  std::string codes;
+  bool second = false;
+  for (const char c : bytes.substr(1, end - 1)) {
+    const auto digit = std::string_view("0123456789abcdef").find(c >= 'A' && c <= 'F' ? c - 'A' + 'a' : c);
+    if (digit == std::string_view::npos) {
+      continue;
+    }
+    if (second) {
+      codes.back() = static_cast<char>(static_cast<unsigned char>(codes.back()) | digit);
+    } else {
+      codes += static_cast<char>(digit << 4U);
+    }
+    second = !second;
+  }
   skip(bytes, end + 1);
+  return codes;
 }
 
 ContentToken number_or_word(std::string_view text) {
@@ -87,7 +104,7 @@ ContentToken number_or_word(std::string_view text) {
   if (digits.starts_with('+')) {
     digits.remove_prefix(1);
   }
-  ContentToken token{ContentToken::Kind::word, 0.0, text};
+  ContentToken token{ContentToken::Kind::word, 0.0, text, {}};
   const bool like_number =
       !digits.empty() && digits.find_first_not_of("0123456789.-") == std::string_view::npos;
   if (like_number) {
@@ -113,22 +130,25 @@ ContentToken take_token(std::string_view& bytes) {
   const char first = bytes.front();
   if (first == '(') {
     skip_text(bytes);
-    return {Kind::other, 0.0, {}};
+    return {Kind::other, 0.0, {}, {}};
+  }
+  if (bytes.starts_with("<<")) {
+    skip_dictionary(bytes);
+    return {Kind::other, 0.0, {}, {}};
   }
   if (first == '<') {
-    bytes.starts_with("<<") ? skip_dictionary(bytes) : skip_hexadecimal(bytes);
-    return {Kind::other, 0.0, {}};
+    return {Kind::other, 0.0, {}, take_hexadecimal(bytes)};
   }
   if (first == '[' || first == ']') {
     skip(bytes, 1);
-    return {first == '[' ? Kind::open_list : Kind::close_list, 0.0, {}};
+    return {first == '[' ? Kind::open_list : Kind::close_list, 0.0, {}, {}};
   }
   const bool is_name = first == '/';
   skip(bytes, is_name ? 1 : 0);
   const std::string_view text = bytes.substr(0, bytes.find_first_of(ends));
   skip(bytes, text.size());
   if (is_name) {
-    return {Kind::name, 0.0, text};
+    return {Kind::name, 0.0, text, {}};
   }
   if (text.empty()) {
     cannot_check("its content has a {} where none may be", first);
@@ -169,8 +189,11 @@ class ContentReader {
           list_.clear();
           tag_ = {};
           name_ = {};
+          text_.codes.clear();
           break;
         case Kind::other:
+          text_.codes = std::move(token.codes);
+          break;
         case Kind::end:
           break;
       }
@@ -241,12 +264,19 @@ class ContentReader {
                                  {"SC", 0, &R::unknown_color},
                                  {"SCN", 0, &R::unknown_color},
                                  {"Do", 0, &R::draw_object},
-                                 {"BT", 0, &R::draw_other},
+                                 {"BT", 0, &R::begin_text},
+                                 {"Tr", 1, &R::set_rendering},
+                                 {"Tf", 1, &R::set_font},
+                                 {"Tm", 6, &R::place_text},
+                                 {"Tj", 0, &R::show_text},
+                                 {"TJ", 0, &R::show_text},
+                                 {"'", 0, &R::show_text},
+                                 {"\"", 0, &R::show_text},
                                  {"sh", 0, &R::draw_other}};
     // What changes areas, texts and the shape of lines' ends, but not where lines are.
-    for (const std::string_view word : {"J",  "j",  "M",  "i",  "ri", "g",   "rg",  "k",  "cs", "sc", "scn",
-                                        "ET", "Tc", "Tw", "Tz", "TL", "Tf",  "Tr",  "Ts", "Td", "TD", "Tm",
-                                        "T*", "Tj", "TJ", "'",  "\"", "BMC", "EMC", "MP", "DP", "BX", "EX"}) {
+    for (const std::string_view word :
+         {"J",  "j",  "M",  "i",  "ri", "g",  "rg", "k",   "cs",  "sc", "scn", "ET", "Tc",
+          "Tw", "Tz", "TL", "Ts", "Td", "TD", "T*", "BMC", "EMC", "MP", "DP",  "BX", "EX"}) {
       all.push_back({word, 0, &R::ignore});
     }
     // Content that a viewer may switch off has to be a layer of the file, which is an object here.
@@ -385,6 +415,28 @@ class ContentReader {
     state_.window = box;
   }
 
+  void begin_text() {
+    text_ = {};
+    text_is_seen_ = true;
+  }
+  void set_rendering() { text_is_seen_ = operands_[0] != 3.0; }
+  void set_font() {
+    text_.font = tag_;
+    text_.size = operands_[0];
+  }
+  void place_text() {
+    const auto& n = operands_;
+    text_.place = {n[0], n[1], n[2], n[3], n[4], n[5]};
+  }
+  void show_text() {
+    if (text_is_seen_) {
+      events_.other();
+    }
+    if (events_.text) {
+      events_.text(text_, state_);
+    }
+  }
+
   void draw_object() { events_.object(name_, state_); }
   void draw_other() { events_.other(); }
 
@@ -400,6 +452,8 @@ class ContentReader {
   InkPath path_;
   std::vector<Vec2> line_;  ///< the subpath that is being drawn
   bool clips_ = false;
+  InkText text_;
+  bool text_is_seen_ = true;
 };
 
 }  // namespace

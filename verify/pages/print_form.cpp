@@ -20,8 +20,8 @@ constexpr std::array<LayerName, 12> layer_names{{
     {"mountain", "Mountain folds", PrintedLayer::mountain},
     {"valley", "Valley folds", PrintedLayer::valley},
     {"tab-fold", "Tab folds", PrintedLayer::tab_fold},
-    {"label", "Numbers", PrintedLayer::other},
-    {"piece-name", "Piece names", PrintedLayer::other},
+    {"label", "Numbers", PrintedLayer::label},
+    {"piece-name", "Piece names", PrintedLayer::name},
     {"mark", "Marks", PrintedLayer::mark},
     {"back", "Back", PrintedLayer::other},
     {"tab-shadow", "Tab shadows", PrintedLayer::other},
@@ -130,10 +130,17 @@ void undo_calibration(std::string_view settings, PrintedFile& file) {
   }
   for (PrintedPage& page : file.pages) {
     const Vec2 middle = 0.5 * page.size;
-    for (PrintedLine& line : page.lines) {
-      for (Vec2& p : line.points) {
-        p = middle + Vec2{measured.x / 100.0 * (p.x - middle.x), measured.y / 100.0 * (p.y - middle.y)};
+    const auto undo = [&](Vec2& p) {
+      p = middle + Vec2{measured.x / 100.0 * (p.x - middle.x), measured.y / 100.0 * (p.y - middle.y)};
+    };
+    for (std::vector<PrintedLine>* const lines : {&page.lines, &page.leaders}) {
+      for (PrintedLine& line : *lines) {
+        std::for_each(line.points.begin(), line.points.end(), undo);
       }
+    }
+    for (PrintedText& text : page.texts) {
+      undo(text.from);
+      undo(text.to);
     }
   }
 }

@@ -20,7 +20,9 @@ enum class PrintedLayer {
   tab_fold,
   glue,   ///< outlines of what is glued on
   mark,   ///< page furniture: the scale bar, the legend
-  other,  ///< any other layer of the format: numbers, names, areas of tabs; its lines aren't kept
+  label,  ///< numbers of joins, and lines that lead to their edges
+  name,   ///< names of pieces
+  other,  ///< any other layer of the format: areas of tabs, colours; its lines aren't kept
 };
 
 /// How a line looks; people see this and not its layer.
@@ -40,6 +42,13 @@ struct PrintedLine {
                              ///< ends where it begins
 };
 
+/// Words that can be read, between the ends of their baseline, mm as in PrintedLine.
+struct PrintedText {
+  PrintedLayer layer = PrintedLayer::mark;
+  std::string words;
+  Vec2 from, to;
+};
+
 /// One page, as its file draws it.
 struct PrintedPage {
   std::string name;                   ///< for messages: "whale-2.svg", "page 2 of whale.pdf"
@@ -47,6 +56,8 @@ struct PrintedPage {
   std::optional<std::size_t> number;  ///< which page of how many it says it is, from 1
   std::optional<std::size_t> count;
   std::vector<PrintedLine> lines;
+  std::vector<PrintedLine> leaders;  ///< lines of the layer label; letters among them
+  std::vector<PrintedText> texts;    ///< of the layers mark, label and name
 };
 
 /// All pages of one file.

@@ -101,6 +101,7 @@ class PageReader {
           QPDFObjectHandle opacity = entry(state_of_it, "/CA");
           return opacity.isNumber() ? std::optional(opacity.getNumericValue() <= 1.0 - white) : std::nullopt;
         },
+        .text = [&](const InkText& text, const InkState& now) { add_text(text, now, resources, layer); },
         .other =
             [&] {
               if (!layer || (is_checked(*layer) && *layer != PrintedLayer::mark)) {
@@ -161,7 +162,7 @@ class PageReader {
     QPDFObjectHandle dictionary = object.getDict();
     const std::optional<PrintedLayer> inner = layer ? layer : layer_of(dictionary, name);
     expect_order(*inner);
-    if (!is_checked(*inner)) {
+    if (*inner == PrintedLayer::other) {
       return;
     }
     InkState now = state;
@@ -179,7 +180,7 @@ class PageReader {
     const bool is_line = layer == PrintedLayer::cut || layer == PrintedLayer::mountain ||
                          layer == PrintedLayer::valley || layer == PrintedLayer::tab_fold;
     lines_begun_ = lines_begun_ || is_line;
-    if (lines_begun_ && layer == PrintedLayer::other) {
+    if (lines_begun_ && !is_checked(layer)) {
       cannot_check("one of its layers may cover lines, as it comes after them");
     }
   }
@@ -200,6 +201,15 @@ class PageReader {
   void add(const InkPath& path, const InkState& state, std::optional<PrintedLayer> layer) {
     if (!layer) {
       cannot_check("it has lines in no layer");
+    }
+    if (has_words(*layer)) {
+      for (const std::vector<Vec2>& points : path.lines) {
+        PrintedLine& leader = result_.leaders.emplace_back();
+        for (const Vec2 p : points) {
+          leader.points.push_back(place(p));
+        }
+      }
+      return;
     }
     const bool plain = *layer != PrintedLayer::mark;
     if (path.filled && plain) {
@@ -222,6 +232,27 @@ class PageReader {
       }
       result_.lines.push_back(std::move(line));
     }
+  }
+
+  /// Codes of ASCII are its letters: all that numbers and names of pieces are made of.
+  void add_text(const InkText& text, const InkState& state, QPDFObjectHandle resources,
+                std::optional<PrintedLayer> layer) {
+    if (!layer || !(has_words(*layer) || *layer == PrintedLayer::mark)) {
+      return;
+    }
+    QPDFObjectHandle font = entry(entry(resources, "/Font"), "/" + std::string(text.font));
+    const std::vector<double> widths = numbers_of(entry(font, "/Widths"));
+    const std::vector<double> matrix = numbers_of(entry(font, "/FontMatrix"));
+    QPDFObjectHandle first = entry(font, "/FirstChar");
+    const auto begin = first.isInteger() ? first.getIntValueAsInt() : 0;
+    double width = 0.0;
+    for (const char code : text.codes) {
+      const int at = static_cast<unsigned char>(code) - begin;
+      width += at >= 0 && at < static_cast<int>(widths.size()) ? widths[static_cast<std::size_t>(at)] : 0.0;
+    }
+    width *= text.size * (matrix.size() == 6 ? matrix[0] : 0.001);
+    const Matrix to_page = product(text.place, state.matrix);
+    result_.texts.push_back({*layer, text.codes, place(to_page({})), place(to_page({width, 0.0}))});
   }
 
   /// Whether a point is drawn that a line has. What is cut off at the sheet's border alone is there: Cairo

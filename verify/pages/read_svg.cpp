@@ -343,7 +343,48 @@ class SvgReader {
     }
     if (is_checked(*layer)) {
       read_group(node, *layer, {}, 0);
+    } else if (has_words(*layer)) {
+      read_words(node, *layer, 0);
     }
+  }
+
+  /// Texts, and straight lines that lead from them.
+  void read_words(pugi::xml_node group, PrintedLayer layer, int depth) {
+    for (const pugi::xml_node node : group.children()) {
+      const std::string_view name = node.name();
+      if (name == "g" && depth < max_group_depth) {
+        read_words(node, layer, depth + 1);
+      } else if (name == "text") {
+        read_text(node, layer);
+      } else if (name == "path") {
+        for (std::vector<Vec2>& points : path_lines(node.attribute("d").value())) {
+          for (Vec2& p : points) {
+            p = place(p);
+          }
+          page_->leaders.push_back({layer, Pattern::solid, std::move(points)});
+        }
+      }
+    }
+  }
+
+  /// Turned around its own start or not at all, as this program sets texts.
+  void read_text(pugi::xml_node node, PrintedLayer layer) {
+    const auto value = [&](const char* attribute) {
+      return plain_number(node.attribute(attribute).value()).value_or(0.0);
+    };
+    const Vec2 from{value("x"), value("y")};
+    std::string_view turned = node.attribute("transform").value();
+    double angle = 0.0;  // clockwise, as y runs down
+    if (constexpr std::string_view keyword = "rotate("; turned.starts_with(keyword)) {
+      turned.remove_prefix(keyword.size());
+      angle = plain_number(turned.substr(0, turned.find(' '))).value_or(0.0) * 3.14159265358979323846 / 180.0;
+    }
+    const Vec2 to = from + value("textLength") * Vec2{std::cos(angle), std::sin(angle)};
+    page_->texts.push_back({layer, node.child_value(), place(from), place(to)});
+  }
+
+  [[nodiscard]] Vec2 place(Vec2 p) const {
+    return {mm_.x * (p.x - origin_.x), page_->size.y - mm_.y * (p.y - origin_.y)};
   }
 
   static Look look_of(pugi::xml_node node, Look look) {
@@ -375,7 +416,9 @@ class SvgReader {
       } else if (name == "path") {
         expect_plain(node);
         read_path(node, layer, look_of(node, look));
-      } else if (name != "text" || layer != PrintedLayer::mark) {
+      } else if (name == "text" && layer == PrintedLayer::mark) {
+        read_text(node, layer);
+      } else if (name != "text" || layer != PrintedLayer::glue) {
         cannot_check("its layer {} has a <{}>", group.attribute("id").value(), name);
       }
     }
@@ -404,7 +447,7 @@ class SvgReader {
     const Pattern pattern = look.dashes == "none" ? Pattern::solid : pattern_of(numbers(look.dashes));
     for (std::vector<Vec2>& points : path_lines(node.attribute("d").value())) {
       for (Vec2& p : points) {
-        p = {mm_.x * (p.x - origin_.x), page_->size.y - mm_.y * (p.y - origin_.y)};
+        p = place(p);
       }
       page_->lines.push_back({layer, pattern, std::move(points)});
     }

@@ -29,9 +29,14 @@ template <typename... Args>
 [[nodiscard]] std::optional<PrintedLayer> layer_with_id(std::string_view id);
 [[nodiscard]] std::optional<PrintedLayer> layer_with_title(std::string_view title);
 
+/// Of which texts are kept, and whatever else it holds is none of the nets' lines.
+[[nodiscard]] constexpr bool has_words(PrintedLayer layer) {
+  return layer == PrintedLayer::label || layer == PrintedLayer::name;
+}
+
 /// Of which lines are kept; what else such a layer holds would be overlooked.
 [[nodiscard]] constexpr bool is_checked(PrintedLayer layer) {
-  return layer != PrintedLayer::other;
+  return !has_words(layer) && layer != PrintedLayer::other;
 }
 
 /// Dash, gap, dash, gap ...
@@ -86,6 +91,14 @@ struct InkPath {
   bool filled = false;
 };
 
+/// One operand of Tj.
+struct InkText {
+  std::string codes;
+  std::string_view font;
+  double size = 0.0;
+  Matrix place;  ///< of the text (Tm)
+};
+
 /// Who listens to what the content does.
 struct ContentEvents {
   std::function<void(const InkPath&, const InkState&)> path;
@@ -94,7 +107,10 @@ struct ContentEvents {
   /// Whether a state of the resources hides lines ("/a0 gs"); none where it says nothing of that, which
   /// leaves them as they are. Never asked when empty.
   std::function<std::optional<bool>(std::string_view name)> hides_lines;
-  /// Text is set, or something else painted that is no path.
+  /// A text is shown: its codes, the font ("/F Tf": "F"), its size, and where the baseline lies in the
+  /// state's matrix. Whether it is seen doesn't matter.
+  std::function<void(const InkText&, const InkState&)> text;
+  /// Something else is painted that is no path, or text that is seen.
   std::function<void()> other;
 };
 
