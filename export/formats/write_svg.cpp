@@ -184,13 +184,15 @@ class PageWriter {
     append(out_, " d=\"{}\"/>\n", path(line.points, line.closed));
   }
 
-  /// Letters of a font have room on either side, where strokes end with the pen; and figures of strokes may
+  /// Letters of a font have room on either side, where strokes end with the pen; and a number's strokes may
   /// be too narrow for it.
   static double width_in_font(const Text& text, double em) {
     constexpr double sides = 0.16;
-    constexpr double least = 0.45;  // of a letter
+    constexpr double least = 0.45;  // of a figure
+    constexpr std::size_t most_figures = 3;
+    const std::size_t letters = code_points(text.text).size();
     return std::max(text_width(text.text, text.height) + sides * em,
-                    least * em * static_cast<double>(code_points(text.text).size()));
+                    letters <= most_figures ? least * em * static_cast<double>(letters) : 0.0);
   }
 
   /// Text that is found, copied and read aloud. It is as wide as the page has room for, whichever font a
