@@ -11,6 +11,7 @@
 
 #include <pugixml.hpp>
 
+#include "base/elementary.hpp"
 #include "verify/file/tolerance.hpp"
 #include "verify/pages/readers.hpp"
 
@@ -379,7 +380,7 @@ class SvgReader {
       turned.remove_prefix(keyword.size());
       angle = plain_number(turned.substr(0, turned.find(' '))).value_or(0.0) * 3.14159265358979323846 / 180.0;
     }
-    const Vec2 to = from + value("textLength") * Vec2{std::cos(angle), std::sin(angle)};
+    const Vec2 to = from + value("textLength") * Vec2{elementary::cos(angle), elementary::sin(angle)};
     page_->texts.push_back({layer, node.child_value(), place(from), place(to)});
   }
 
