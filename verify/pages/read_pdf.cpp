@@ -235,7 +235,7 @@ class PageReader {
   }
 
   /// Codes of ASCII are its letters: all that numbers and names of pieces are made of.
-  void add_text(const InkText& text, const InkState& state, QPDFObjectHandle resources,
+  void add_text(const InkText& text, const InkState& state, const QPDFObjectHandle& resources,
                 std::optional<PrintedLayer> layer) {
     if (!layer || !(has_words(*layer) || *layer == PrintedLayer::mark)) {
       return;
