@@ -243,13 +243,31 @@ MassProperties union_properties(const std::vector<Body>& bodies, const Context& 
   return from_moments(moments_on_rays(bodies, context));
 }
 
-std::optional<MassProperties> mass_properties(const mesh::Surface& surface, const Context& context) {
-  Body whole;
-  whole.points.assign(surface.points().begin(), surface.points().end());
-  for (const FaceId f : closed_faces(surface)) {
+namespace {
+
+Body body_of_faces(const mesh::Surface& surface, const std::vector<FaceId>& faces) {
+  Body body;
+  body.points.assign(surface.points().begin(), surface.points().end());
+  for (const FaceId f : faces) {
     const auto [a, b, c] = surface.vertices(f);
-    whole.triangles.push_back({a.value(), b.value(), c.value()});
+    body.triangles.push_back({a.value(), b.value(), c.value()});
   }
+  return body;
+}
+
+}  // namespace
+
+Body body_of(const mesh::Surface& surface) {
+  const auto faces = ids<FaceId>(surface.face_count());
+  return body_of_faces(surface, {faces.begin(), faces.end()});
+}
+
+Body closed_body_of(const mesh::Surface& surface) {
+  return body_of_faces(surface, closed_faces(surface));
+}
+
+std::optional<MassProperties> mass_properties(const mesh::Surface& surface, const Context& context) {
+  const Body whole = closed_body_of(surface);
   if (whole.triangles.empty()) {
     return std::nullopt;
   }

@@ -16,6 +16,9 @@ namespace ridgecraft::solid {
 /// Of the faces that enclose something: those of the components without border.
 [[nodiscard]] std::vector<FaceId> closed_faces(const mesh::Surface& surface);
 
+/// A body of these.
+[[nodiscard]] Body closed_body_of(const mesh::Surface& surface);
+
 /// Adds bodies until what none covers of the solid is at most `most_uncovered`, and says how well they fit
 /// then. A surface that encloses nothing is left alone. Each round takes
 /// O(faces + rays + bodies' triangles) and a hull for each connected uncovered region, or several where one

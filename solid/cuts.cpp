@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -125,7 +126,7 @@ class Clipper {
   void border(std::uint32_t a, std::uint32_t b) {
     if (a != b) {
       const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
-      if (!border_.emplace(edge, true).second) {
+      if (!border_.insert(edge).second) {
         border_.erase(edge);
       }
     }
@@ -152,9 +153,9 @@ class Clipper {
       }
       return at->second;
     };
-    for (const auto& [edge, is_there] : border_) {
-      const Plane::Vertex_handle a = vertex(edge.first);
-      const Plane::Vertex_handle b = vertex(edge.second);
+    for (const auto& [first, second] : border_) {
+      const Plane::Vertex_handle a = vertex(first);
+      const Plane::Vertex_handle b = vertex(second);
       if (a != b) {
         plane.insert_constraint(a, b);
       }
@@ -231,13 +232,9 @@ class Clipper {
   std::vector<double> outside_;
   std::vector<std::uint32_t> kept_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> on_edge_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, bool> border_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> border_;
   Body result_;
 };
-
-}  // namespace
-
-namespace {
 
 /// Planes across each axis that are tried, and those of the largest flat sides.
 constexpr int places = 5;
@@ -247,6 +244,11 @@ constexpr std::size_t directions = 32;
 /// How much the air that is left in one piece counts beside what all have: cutting out what is hollow frees
 /// nothing before the last cut.
 constexpr double unevenness = 0.1;
+/// A plane that leaves less of the body on one side than this share of its diagonal cuts nothing off.
+constexpr double shallow = 1e-3;
+/// Sides are in one plane whose normals and offsets (over the diagonal) are alike to one part in so many.
+constexpr double alike_normals = 200.0;
+constexpr double alike_offsets = 500.0;
 
 double volume_of(const Body& body) {
   return std::fabs(mass_properties(body).volume);
@@ -358,8 +360,9 @@ class PlaneCutter {
         n = -1.0 * n;
       }
       const double offset = dot(n, body.points[a]);
-      const std::array<long, 4> key{std::lround(200 * n.x), std::lround(200 * n.y), std::lround(200 * n.z),
-                                    std::lround(500 * offset / diagonal)};
+      const std::array<long, 4> key{std::lround(alike_normals * n.x), std::lround(alike_normals * n.y),
+                                    std::lround(alike_normals * n.z),
+                                    std::lround(alike_offsets * offset / diagonal)};
       auto& side = sides.try_emplace(key, 0.0, HalfSpace{n, offset}).first->second;
       side.first += area;
     }
@@ -378,7 +381,7 @@ class PlaneCutter {
         low = std::fmin(low, dot(half.normal, p) - half.offset);
         high = std::fmax(high, dot(half.normal, p) - half.offset);
       }
-      if (low < -1e-3 * diagonal && high > 1e-3 * diagonal) {
+      if (low < -shallow * diagonal && high > shallow * diagonal) {
         planes.push_back(half);
       }
     }

@@ -47,14 +47,11 @@ HullSet hulls_of_parts(const mesh::Surface& surface, std::vector<Body> bodies, c
 /// hulls of its parts.
 std::vector<Body> hulls_of_cuts(const mesh::Surface& surface, const segment::Segmentation& parts,
                                 const std::vector<Body>& of_parts, std::size_t most, const Context& context) {
-  Body solid;
-  solid.points.assign(surface.points().begin(), surface.points().end());
   std::vector<bool> open(parts.parts.size(), true);
   for (const FaceId f : closed_faces(surface)) {
-    const auto [a, b, c] = surface.vertices(f);
-    solid.triangles.push_back({a.value(), b.value(), c.value()});
     open[parts.part[f].value()] = false;
   }
+  const Body solid = closed_body_of(surface);
   const std::size_t pieces = std::clamp(pieces_a_hull * most, fewest_pieces, most_pieces);
   std::vector<Body> bodies;
   for (const Body& piece : cut_by_planes(solid, air_of_pieces, pieces, context)) {

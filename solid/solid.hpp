@@ -29,6 +29,9 @@ struct Body {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// The faces of a surface, which encloses something or doesn't.
+[[nodiscard]] Body body_of(const mesh::Surface& surface);
+
 /// Mass properties at density 1, in the points' unit.
 struct MassProperties {
   double volume = 0.0;

@@ -187,16 +187,6 @@ bool has_companions(const std::string& suffix) {
   return suffix == ".urdf" || suffix == ".xml" || suffix == ".sdf";
 }
 
-solid::Body body_of(const mesh::Surface& surface) {
-  solid::Body body;
-  body.points.assign(surface.points().begin(), surface.points().end());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    body.triangles.push_back({a.value(), b.value(), c.value()});
-  }
-  return body;
-}
-
 /// What a description says of a model: mass and inertia of what it encloses, or where nothing is closed of
 /// the hulls together.
 solid::RigidBody rigid_body(const HullsJob& job, const mesh::Surface& model, const SolidResult& result,
@@ -237,7 +227,7 @@ void add_hulls(const HullsJob& job, const Context& context, SolidResult& result,
   const solid::RigidBody body = rigid_body(job, model, result, context);
   if (!has_companions(suffix)) {
     const auto write = suffix == ".glb" ? solid::write_glb : solid::write_usd;
-    add(file, write(body, body_of(model), result.bodies));
+    add(file, write(body, solid::body_of(model), result.bodies));
     return;
   }
   const auto write = suffix == ".urdf"  ? solid::write_urdf

@@ -429,21 +429,13 @@ class StepPages {
     std::optional<Box2> crop = {};  ///< nothing is drawn beyond it
   };
 
-  /// "C and D, glued to A"
-  [[nodiscard]] std::string words_of_picture(std::size_t index) const {
-    std::vector<std::string> before;
-    for (const PieceId piece : glued_before(guide_.surface(), *guide_.nets, steps_[index])) {
-      before.push_back(guide_.nets->pieces[piece].name);
-    }
-    return step_title(*guide_.nets, steps_[index]) +
-           (before.empty() ? ", folded" : ", glued to " + listed(before, "and"));
-  }
-
   void add_step_picture(StepPicture picture, Group& group, const Context& context) const {
     picture.frame = frame_in(picture.index, picture.box);
     const auto [part, fit] = place_in(picture.index, picture.step, picture.frame);
     picture.fit = fit;
-    group.figures.push_back({picture.frame, words_of_picture(picture.index), group.texts.size()});
+    group.figures.push_back({picture.frame,
+                             picture_words(guide_.surface(), *guide_.nets, steps_[picture.index]),
+                             group.texts.size()});
     if (part) {
       const Box2 crop{fit(part->low), fit(part->high)};
       picture.crop = crop;

@@ -437,6 +437,14 @@ std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Ne
   return pieces;
 }
 
+std::string picture_words(const mesh::Surface& surface, const unfold::Nets& nets, const AssemblyStep& step) {
+  std::vector<std::string> before;
+  for (const PieceId piece : glued_before(surface, nets, step)) {
+    before.push_back(nets.pieces[piece].name);
+  }
+  return step_title(nets, step) + (before.empty() ? ", folded" : ", glued to " + listed(before, "and"));
+}
+
 std::vector<MirrorPair> mirror_pairs(const unfold::Nets& nets, const AssemblyStep& step) {
   std::vector<MirrorPair> pairs;
   for (const std::vector<unfold::EqualPiece>& kind : nets.equal) {

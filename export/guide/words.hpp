@@ -56,6 +56,10 @@ std::size_t add_callouts(const std::vector<Callout>& callouts, const CalloutColu
                                                       const unfold::Nets& nets, const Assembly& assembly,
                                                       std::size_t step, std::span<const Body> bodies);
 
+/// What the picture of a step shows, for whoever doesn't see it: "C and D, glued to A".
+[[nodiscard]] std::string picture_words(const mesh::Surface& surface, const unfold::Nets& nets,
+                                        const AssemblyStep& step);
+
 /// The pieces that stand before the step and are glued to its pieces, ascending.
 [[nodiscard]] std::vector<PieceId> glued_before(const mesh::Surface& surface, const unfold::Nets& nets,
                                                 const AssemblyStep& step);

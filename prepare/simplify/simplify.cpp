@@ -109,8 +109,9 @@ bool simplify_bodies(std::vector<FundamentalDomain>& bodies, BodyRules rules, co
 bool remove_details(mesh::Model& model, const SimplifyOptions& options, double largest_mm,
                     SimplifyReport& report, const Context& context) {
   report.features_removed = trim_reliefs(model, options, std::min(largest_mm, options.tiny_edge_mm), context);
-  report.rulings_removed = thin_rulings(model, options, largest_mm, context);
-  return report.features_removed + report.rulings_removed > 0;
+  const std::size_t rulings = thin_rulings(model, options, largest_mm, context);
+  report.rulings_removed += rulings;
+  return report.features_removed + rulings > 0;
 }
 
 /// Puts simplified faces in place of the model's surface; measures how far they are from the one before.

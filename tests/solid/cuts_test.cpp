@@ -18,16 +18,6 @@
 namespace ridgecraft {
 namespace {
 
-solid::Body solid_of(const mesh::Surface& surface) {
-  solid::Body body;
-  body.points.assign(surface.points().begin(), surface.points().end());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    body.triangles.push_back({a.value(), b.value(), c.value()});
-  }
-  return body;
-}
-
 /// As many triangles run along each edge one way as the other; points that rounding parts are one.
 bool edges_cancel(const solid::Body& body) {
   using Place = std::array<long, 3>;
@@ -81,8 +71,8 @@ mesh::Surface plate_on_legs() {
 
 TEST_CASE("Both sides of a plane are closed, and together the solid") {
   Random random(3);
-  for (const solid::Body& body : {solid_of(test::sphere(24, 16)), solid_of(plate_on_legs()),
-                                  solid_of(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 2))}) {
+  for (const solid::Body& body : {solid::body_of(test::sphere(24, 16)), solid::body_of(plate_on_legs()),
+                                  solid::body_of(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 2))}) {
     const double volume = volume_of(body);
     std::vector<solid::HalfSpace> planes;
     for (int i = 0; i < 20; ++i) {
@@ -109,16 +99,17 @@ TEST_CASE("Both sides of a plane are closed, and together the solid") {
 
 TEST_CASE("A cap joins the skins that it lies between, and apart stays apart") {
   // Half a ring ends in two squares, which join its inner and its outer side.
-  const solid::Body half = solid::clipped(solid_of(ring()), {{0, 1, 0}, 0.01});
+  const solid::Body half = solid::clipped(solid::body_of(ring()), {{0, 1, 0}, 0.01});
   CHECK(solid::pieces_of(half).size() == 1);
-  const solid::Body lower = solid::clipped(solid_of(ring()), {{0, 0, 1}, 0.5});
+  const solid::Body lower = solid::clipped(solid::body_of(ring()), {{0, 0, 1}, 0.5});
   CHECK(solid::pieces_of(lower).size() == 1);
-  CHECK(solid::pieces_of(solid::clipped(solid_of(plate_on_legs()), {{0, 0, 1}, 3.0})).size() == 4);
-  CHECK(solid::pieces_of(solid::clipped(solid_of(plate_on_legs()), {{0, 0, -1}, -3.0})).size() == 1);
+  CHECK(solid::pieces_of(solid::clipped(solid::body_of(plate_on_legs()), {{0, 0, 1}, 3.0})).size() == 4);
+  CHECK(solid::pieces_of(solid::clipped(solid::body_of(plate_on_legs()), {{0, 0, -1}, -3.0})).size() == 1);
 }
 
 TEST_CASE("What is made of boxes falls into them") {
-  for (const solid::Body& piece : solid::cut_by_planes(solid_of(plate_on_legs()), 1e-6, 12, Context{})) {
+  for (const solid::Body& piece :
+       solid::cut_by_planes(solid::body_of(plate_on_legs()), 1e-6, 12, Context{})) {
     CHECK(volume_of(piece) == Approx(volume_of(piece) < 10.0 ? 3.0 : 25.0));
   }
   // As one or a few parts of the surface it would be a block.

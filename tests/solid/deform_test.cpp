@@ -12,16 +12,6 @@
 namespace ridgecraft {
 namespace {
 
-solid::Body body_of(const mesh::Surface& surface) {
-  solid::Body body;
-  body.points.assign(surface.points().begin(), surface.points().end());
-  for (const FaceId f : ids<FaceId>(surface.face_count())) {
-    const auto [a, b, c] = surface.vertices(f);
-    body.triangles.push_back({a.value(), b.value(), c.value()});
-  }
-  return body;
-}
-
 Vec3 affine(Vec3 p) {
   return {2.0 * p.x + 0.5 * p.y - 3.0, 0.3 * p.x - p.y + p.z, 0.1 * p.x + 0.7 * p.z + 11.0};
 }
@@ -29,7 +19,7 @@ Vec3 affine(Vec3 p) {
 }  // namespace
 
 TEST_CASE("Mean value coordinates reproduce affine maps, on the cage too") {
-  const solid::Body cage = body_of(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1));
+  const solid::Body cage = solid::body_of(test::voxels({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, 1));
   solid::Body moved = cage;
   for (Vec3& p : moved.points) {
     p = affine(p);
@@ -52,7 +42,7 @@ TEST_CASE("Mean value coordinates reproduce affine maps, on the cage too") {
 }
 
 TEST_CASE("A corner that is pulled takes what is near with it, and more the nearer") {
-  const solid::Body cage = body_of(test::voxels({{0, 0, 0}}, 1));
+  const solid::Body cage = solid::body_of(test::voxels({{0, 0, 0}}, 1));
   solid::Body pulled = cage;
   std::size_t corner = 0;
   for (std::size_t v = 0; v < cage.points.size(); ++v) {
